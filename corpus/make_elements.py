@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+"""Write the corpus of single elements, after proving every expected verdict in exact arithmetic.
+
+    make_elements.py           write elements/*.bez.json, criteria.tsv, beyond_subdivision.txt, beyond_regular.txt
+    make_elements.py --check   make everything in memory and compare with the files, byte for byte
+
+Python >= 3.9 and its standard library. Nothing here uses the C++ library: exact.py derives everything anew.
+"""
+import json
+import re
+import sys
+from fractions import Fraction as Q
+from itertools import combinations
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # leave nothing beside the sources
+
+import exact
+from element_list import ELEMENTS, form
+from exact import CRITERIA, Element, add, bernstein_rows, decide, mul
+
+HERE = Path(__file__).resolve().parent
+TOOL_PROOFS = {"orientation", "hull", "midpoint rule"}
+PROOF_WORDS = {
+    "midpoint rule": "polynomial of degree at most 2 (or bilinear) with det J > 0",
+    "orientation": "all triples of control points are oriented like their indices",
+    "hull": "all mixed determinants of the Bernstein coefficients of W^2 J are >= 0 and their determinants > 0",
+    "shear": "det J > 0 and the first coordinate is the first parameter up to a strictly increasing function",
+    "simple boundary": "det J > 0, edges monotone along their chords, control polygons of the edges parted by lines"}
+
+
+def element_of(entry):
+    points = [tuple(Q(x) for x in p) for p in entry["points"]]
+    weights = [Q(w) for w in entry["weights"]] if entry["weights"] else None
+    return Element(entry["kind"], entry["degree"], points, weights, entry["basis"])
+
+
+def at(parameter):
+    return tuple(Q(x) for x in parameter)
+
+
+def words_at(parameter):
+    return "(" + ", ".join(str(Q(x)) for x in parameter) + ")"
+
+
+def subdivide(element):
+    """Sign of N by bisection. On the triangle the three choices of the first edge must agree about zeros."""
+    rows = bernstein_rows(element.N, element.triangle)
+    status, witness = decide(rows, element.triangle)
+    if element.triangle and status in ("zero", "open"):
+        again = {decide(rows, True)[0] for rows in (exact.rotated(rows), exact.rotated(exact.rotated(rows)))}
+        assert again == {status}, "bisection settles this element only from some edges"
+    if witness and not element.triangle:
+        witness = (1 - witness[0], witness[0], 1 - witness[1], witness[1])
+    return status, witness
+
+
+def injectivity(element):
+    """Names of the proofs that hold; det J > 0 is known."""
+    proofs = [("midpoint rule", exact.midpoint_rule), ("orientation", lambda e: exact.orientation(e) == "proved"),
+              ("hull", exact.hull), ("shear", exact.shear), ("simple boundary", exact.simple_boundary)]
+    return [name for name, test in proofs if test(element)]
+
+
+def simple_net(element):
+    """The upright control triangles and those between them are counter-clockwise and do not overlap."""
+    between = [[tuple(k + (r != s) for s, k in enumerate(m)) for r in range(3)]
+               for m in exact.triangle_indices(element.degree - 2)]
+    nets = [[element.point[e] for e in t] for t in exact.upright(element) + between]
+
+    def apart(a, b):
+        return any(all(exact.orient(p, q, x) <= 0 for x in b) for p, q in zip(a, a[1:] + a[:1]))
+
+    return all(exact.orient(*t) > 0 for t in nets) and all(apart(a, b) or apart(b, a) for a, b in combinations(nets, 2))
+
+
+def check_squares(element, kind, proof):
+    """multiplier * det J is a sum of factor * f^2, factors with coefficients >= 0, and there is a zero."""
+    _, multiplier, terms, zeros = proof
+    assert all(c >= 0 for f in [multiplier] + [factor for factor, _ in terms] for c in f.values())
+    total = {}
+    for factor, f in terms:
+        total = add(total, mul(factor, mul(f, f)))
+    if element.triangle:
+        scale, of_multiplier = element.degree ** 2, max(map(sum, multiplier))
+        of_total = sum(next(iter(element.N))) + of_multiplier
+    else:
+        some = next(iter(element.N))
+        scale, of_multiplier = element.degree[0] * element.degree[1], (0, 0)
+        of_total = sum(some[:2]), sum(some[2:])
+    left = mul({e: scale * c for e, c in element.N.items()}, form(multiplier, of_multiplier, kind))
+    assert not any(add(left, form(total, of_total, kind), -1).values()), "not that sum of squares"
+    if len(zeros) == 1:
+        assert exact.evaluate(element.N, at(zeros[0])) == 0
+        return
+    # One summand has a square whose root changes sign between the two parameters (along the segment, where the
+    # other summands, linear and zero at both, vanish); so the sum is zero in between.
+    values = [[sum(c * z[1] ** a * z[2] ** b for (a, b), c in mul(factor, f).items()) for z in map(at, zeros)]
+              for factor, f in terms]
+    crossing = [v for v in values if v[0] * v[1] < 0]
+    vanishing = [v for v, (factor, f) in zip(values, terms)
+                 if v == [0, 0] and max(a + b for a, b in mul(factor, f)) == 1]
+    assert len(crossing) == 1 and len(crossing) + len(vanishing) == len(terms)
+
+
+def prove(entry, element):
+    """Check the expected verdict; return a sentence for `source` and the reasons to be beyond the first tool."""
+    expect, proof = entry["expect"], entry["proof"]
+    status, witness = subdivide(element)
+    beyond_subdivision = "" if status != "open" else (
+        "bisection never ends at its zeros" if expect == "degenerate" else "the region of det J < 0 is very thin")
+    beyond_regular = ""
+    if proof in ("simple", "simple net"):
+        assert simple_net(element) and (proof == "simple net" or exact.simple_boundary(element))
+    if expect in ("injective", "reversed"):
+        assert status == ("positive" if expect == "injective" else "negative"), status
+        proofs = injectivity(element) if expect == "injective" else []
+        if expect == "reversed":
+            return "Subdivision proves -det J > 0.", beyond_subdivision, ""
+        assert proofs, "no proof of injectivity"
+        if not TOOL_PROOFS & set(proofs):
+            beyond_regular = f"injective because of: {PROOF_WORDS[proofs[0]]}"
+        return f"Injective: {PROOF_WORDS[proofs[0]]}.", beyond_subdivision, beyond_regular
+    if expect == "overlapping":
+        assert status == "positive" and at(proof[1]) != at(proof[2])
+        assert all(min(at(p)) >= 0 and sum(at(p)) == (1 if element.triangle else 2) for p in proof[1:])
+        assert element.image(at(proof[1])) == element.image(at(proof[2]))
+        return "", beyond_subdivision, "two parameters with one image"
+    if expect == "degenerate":
+        if proof:
+            assert status == "open", status
+            check_squares(element, entry["kind"], proof)
+            return "", beyond_subdivision, ""
+        assert status == "zero", status
+        return "Bisection ends with coefficients >= 0 on every piece.", "", ""
+    assert expect == "folded"
+    if proof and proof[0] == "negative":
+        witness = at(proof[1])
+        assert status in ("mixed", "open")
+    else:
+        assert status in ("mixed", "below"), status
+    value = element.det(witness)
+    assert value < 0
+    shown = str(value) if len(str(value)) < 40 else f"about {float(value):.3g}"
+    where = words_at(witness if element.triangle else (witness[1], witness[3]))
+    return f"det J = {shown} at {where}.", beyond_subdivision, ""
+
+
+def document(entry, sentence):
+    record = {"name": entry["name"], "expect": entry["expect"], "source": f"{entry['source'].strip()} {sentence}".strip(),
+              "kind": entry["kind"], "degree": entry["degree"], "basis": entry["basis"]}
+    head = ",\n      ".join(f"{json.dumps(k)}: {json.dumps(v)}" for k, v in record.items())
+    n = entry["degree"]
+    lengths = [n + 1 - r for r in range(n + 1)] if isinstance(n, int) else [n[0] + 1] * (n[1] + 1)
+
+    def rows(values):
+        lines, start = [], 0
+        for length in lengths:
+            lines.append(", ".join(json.dumps(v) for v in values[start:start + length]))
+            start += length
+        return ",\n        ".join(lines)
+
+    body = f'"points": [\n        {rows(entry["points"])}]'
+    if entry["weights"]:
+        body += f',\n      "weights": [\n        {rows(entry["weights"])}]'
+    return f'{{ "bezcert": 1,\n  "elements": [\n    {{ {head},\n      {body} }} ] }}\n'
+
+
+def make():
+    """All files as {relative path: text}, and the table of criteria."""
+    files, table, beyond_subdivision, beyond_regular = {}, {}, [], []
+    for entry in ELEMENTS:
+        name = entry["name"]
+        assert name not in table, f"{name} twice"
+        try:
+            element = element_of(entry)
+            sentence, no_subdivision, no_regular = prove(entry, element)
+        except AssertionError as error:
+            raise SystemExit(f"{name}: expected {entry['expect']}: {error}")
+        if no_subdivision:
+            beyond_subdivision.append(f"{name} # {no_subdivision}")
+        if no_regular:
+            beyond_regular.append(f"{name} # {no_regular}")
+        table[name] = {criterion: test(element) for criterion, test in CRITERIA.items()}
+        regular = entry["expect"] in ("injective", "overlapping")
+        assert regular or table[name]["orientation"] != "proved" and table[name]["coefficients"] != "proved", name
+        files[f"elements/{name}.bez.json"] = document(entry, sentence)
+    rows = [f"{name}\t{criterion}\t{status}" for name, row in table.items() for criterion, status in row.items()]
+    files["criteria.tsv"] = "\n".join(["element\tcriterion\tstatus"] + rows) + "\n"
+    files["beyond_subdivision.txt"] = "\n".join(
+        ["# Dyadic subdivision of N cannot settle these; the true verdict is in the file."] + beyond_subdivision) + "\n"
+    files["beyond_regular.txt"] = "\n".join(
+        ["# det J > 0, but neither orientation, nor the hull of the Jacobian, nor degree 2 proves or refutes injectivity."]
+        + beyond_regular) + "\n"
+    return files, table
+
+
+def check_pairs(table):
+    """Every row | A | B | element | of README.md: A proves that element regular and B does not."""
+    expect = {entry["name"]: entry["expect"] for entry in ELEMENTS}
+    rows = re.findall(r"^\| ([a-z-]+) \| ([a-z-]+) \| `([a-z0-9-]+)` \|$", (HERE / "README.md").read_text(), re.M)
+    for a, b, name in rows:
+        row = dict(table[name], subdivision="proved" if expect[name] in ("injective", "overlapping") else "no")
+        if row[a] != "proved" or row[b] == "proved":
+            raise SystemExit(f"README.md: {name} does not show {a} without {b}")
+    return len(rows)
+
+
+def main(arguments):
+    if arguments not in ([], ["--check"]):
+        raise SystemExit(__doc__)
+    files, table = make()
+    stale = {f"elements/{p.name}" for p in (HERE / "elements").glob("*")} - set(files)
+    if arguments:
+        wrong = [name for name, body in files.items()
+                 if not (HERE / name).is_file() or (HERE / name).read_text(encoding="utf-8") != body]
+        if wrong or stale:
+            raise SystemExit("differs from make_elements.py: " + ", ".join(sorted(stale | set(wrong))))
+    else:
+        (HERE / "elements").mkdir(exist_ok=True)
+        if stale:
+            print("no longer made here: " + ", ".join(sorted(stale)))
+        for name, body in files.items():
+            (HERE / name).write_text(body, encoding="utf-8")
+    print(f"{len(table)} elements, {check_pairs(table)} pairs of criteria in README.md")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,25 @@
+#include "bezcert/criterion/coefficients.hpp"
+
+namespace bezcert {
+
+Verdict coefficients(const Forms& forms) {
+  Verdict verdict{"coefficients", Claim::regular, Status::inconclusive, {}, {}, {}};
+  const RoundingScope scope;
+  JacobianTree tree(forms);
+  const PieceSigns signs = tree.signs(scope, JacobianTree::root);
+  if (tree.proves_positive(signs)) {
+    verdict.status = Status::proved;
+    return verdict;
+  }
+  for (std::size_t corner = 0; corner < tree.corner_count(); ++corner) {
+    if (signs.corner[corner] > 0) continue;
+    verdict.status = Status::refuted;
+    verdict.reason = "det J <= 0 at corner " + std::to_string(corner);
+    verdict.witness = make_witness(forms.element(), tree.corner(JacobianTree::root, corner));
+    return verdict;
+  }
+  verdict.reason = "a Bernstein coefficient of N is negative";
+  return verdict;
+}
+
+}  // namespace bezcert

@@ -1,0 +1,39 @@
+#include "bezcert/criterion/control_net.hpp"
+
+#include "bezcert/criterion/triangle_index.hpp"
+
+namespace bezcert {
+
+Verdict control_net(const Forms& forms) {
+  Verdict verdict{"control-net", Claim::regular, Status::not_applicable, {}, {}, {}};
+  const Element& element = forms.element();
+  if (!element.is_triangle()) {
+    verdict.reason = "stated for triangles";
+    return verdict;
+  }
+  if (element.rational()) {
+    verdict.reason = "stated for equal weights";
+    return verdict;
+  }
+  const RoundingScope scope;
+  const Shape shape = element.shape();
+  for (int r = 0; r < shape.p; ++r) {
+    for (int c = 0; c < shape.p - r; ++c) {
+      const std::size_t corner = coefficient_index(shape, r, c);
+      const std::size_t right = coefficient_index(shape, r, c + 1);
+      const std::size_t up = coefficient_index(shape, r + 1, c);
+      const int turn =
+          forms.sign_of(scope, [&](const auto& net) { return orientation(net, corner, right, up); });
+      if (turn <= 0) {
+        verdict.status = Status::inconclusive;
+        verdict.reason = "control triangle " + exponents_text(shape.p, {corner, right, up}) +
+                         (turn == 0 ? " is degenerate" : " is clockwise");
+        return verdict;
+      }
+    }
+  }
+  verdict.status = Status::proved;
+  return verdict;
+}
+
+}  // namespace bezcert

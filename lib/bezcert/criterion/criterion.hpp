@@ -1,0 +1,40 @@
+// The published conditions under test: what each claims, where it stands, how it is checked.
+//
+// Adding a criterion means one file with a function of type `Check` and one line in registry.cpp.
+#pragma once
+
+#include "bezcert/element/forms.hpp"
+#include "bezcert/proof/verdict.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace bezcert {
+
+/// Whether the theorem is proven in docs/criteria.md (`sound`) or only published (`claimed`).
+enum class Standing { sound, claimed };
+
+std::string_view name(Standing standing);
+
+using Check = Verdict (*)(const Forms&);
+
+struct Criterion {
+  std::string_view name;
+  /// Paper and theorem.
+  std::string_view theorem;
+  /// The condition and what is said to follow, in one line.
+  std::string_view statement;
+  Claim claim;
+  Standing standing;
+  /// Whether a counterexample is known (then it is in the corpus).
+  bool refuted;
+  Check check;
+};
+
+/// All criteria, in the order of reports.
+std::span<const Criterion> criteria();
+
+/// The criterion of that name, or nullptr.
+const Criterion* find_criterion(std::string_view name);
+
+}  // namespace bezcert

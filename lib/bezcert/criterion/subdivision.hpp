@@ -1,0 +1,23 @@
+// Adaptive subdivision with proven bounds: the Bernstein coefficient condition on every piece of a
+// subdivision of the domain (the idea of Johnen, Remacle, Geuzaine 2013, here in exact arithmetic and for
+// rational elements). If it holds on every piece, det J > 0; a corner of a piece with N <= 0 refutes. The
+// coefficients over the pieces bound min det J and max det J from both sides. Proof: docs/criteria.md.
+#pragma once
+
+#include "bezcert/element/forms.hpp"
+#include "bezcert/proof/verdict.hpp"
+
+namespace bezcert {
+
+struct SubdivisionOptions {
+  /// Stop when the sign is settled and the bounds of min det J, and those of max det J, are no further
+  /// apart than this times the largest |det J| found. Must be positive.
+  Rational relative_width = Rational(1, 4);
+  /// Give up (inconclusive) after this many pieces.
+  std::size_t pieces = 1000;
+};
+
+/// Applies to every element; sets `bounds`. Throws std::invalid_argument if the width is not positive.
+Verdict subdivision(const Forms& forms, const SubdivisionOptions& options = {});
+
+}  // namespace bezcert

@@ -1,0 +1,115 @@
+#include "bezcert/decide/injectivity.hpp"
+
+#include "bezcert/bernstein/scale_table.hpp"
+#include "bezcert/criterion/orientation.hpp"
+
+namespace bezcert {
+namespace {
+
+// Bernstein coefficients, up to one positive factor a column, of the columns of W^2 J in one basis.
+template <class T>
+struct Columns {
+  std::vector<T> ux, uy, vx, vy;
+};
+
+// Differences of neighbours along u or v (triangle: towards corner 1 or 2), divided by the degree.
+template <class T>
+Polynomial<T> derivative(Shape shape, const std::vector<T>& values, int direction) {
+  Polynomial<T> result(detail::lowered(shape, direction));
+  for (int r = 0; r < row_count(result.shape); ++r) {
+    for (int c = 0; c < column_count(result.shape, r); ++c) {
+      const std::size_t next =
+          direction == 0 ? coefficient_index(shape, r, c + 1) : coefficient_index(shape, r + 1, c);
+      result.at(r, c) = values[next] - values[coefficient_index(shape, r, c)];
+    }
+  }
+  return result;
+}
+
+template <class T>
+Polynomial<T> scaled(Polynomial<T> f) {
+  to_scaled(f);
+  return f;
+}
+
+// One column of W^2 J: (x_u w - x w_u, y_u w - y w_u), or (x_u, y_u); on the square elevated by one degree in
+// the direction of the derivative, so that both columns have the same basis.
+template <class T>
+std::pair<std::vector<T>, std::vector<T>> column(const Net<T>& net, int direction) {
+  const bool square = net.shape.domain == Domain::square;
+  const auto along = [&](const std::vector<T>& values) { return derivative(net.shape, values, direction); };
+  if (!net.rational() && !square) return {along(net.x).coefficients, along(net.y).coefficients};
+
+  const Polynomial<T> w = net.rational() ? scaled(Polynomial<T>(net.shape, net.w)) : Polynomial<T>();
+  const Polynomial<T> w_along = net.rational() ? scaled(along(net.w)) : Polynomial<T>();
+  const auto component = [&](const std::vector<T>& values) {
+    Polynomial<T> f = scaled(along(values));
+    if (net.rational()) {
+      f = convolve(f, w);
+      const Polynomial<T> g = convolve(scaled(Polynomial<T>(net.shape, values)), w_along);
+      for (std::size_t i = 0; i < g.coefficients.size(); ++i) f.coefficients[i] -= g.coefficients[i];
+    }
+    if (square) {
+      const Shape step = direction == 0 ? Shape{Domain::square, 1, 0} : Shape{Domain::square, 0, 1};
+      f = convolve(f, Polynomial<T>(step, {T(1), T(1)}));
+    }
+    from_scaled(f);
+    return f.coefficients;
+  };
+  return {component(net.x), component(net.y)};
+}
+
+template <class T>
+Columns<T> columns(const Net<T>& net) {
+  auto [ux, uy] = column(net, 0);
+  auto [vx, vy] = column(net, 1);
+  return {std::move(ux), std::move(uy), std::move(vx), std::move(vy)};
+}
+
+template <class T>
+T mixed(const Columns<T>& m, std::size_t i, std::size_t j) {
+  const T once = m.ux[i] * m.vy[j] - m.uy[i] * m.vx[j];
+  if (i == j) return once;
+  return once + (m.ux[j] * m.vy[i] - m.uy[j] * m.vx[i]);
+}
+
+bool jacobian_hull(const Forms& forms, const RoundingScope&) {
+  std::optional<Columns<Interval>> filter;
+  if (forms.filter() == Filter::on) filter = columns(forms.interval().net);
+  std::optional<Columns<Integer>> exact;
+  const std::size_t count = [&] {
+    if (!filter) exact = columns(forms.exact().net);
+    return filter ? filter->ux.size() : exact->ux.size();
+  }();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i; j < count; ++j) {
+      if (filter) {
+        const Interval value = mixed(*filter, i, j);
+        if (value.inf() > 0) continue;
+        if (value.sup() < 0) return false;
+      }
+      if (!exact) exact = columns(forms.exact().net);
+      const int s = sign(mixed(*exact, i, j));
+      if (s < 0 || (s == 0 && i == j)) return false;
+    }
+  }
+  return true;
+}
+
+bool derivative_is_affine_on_segments(const Element& element) {
+  if (element.rational()) return false;
+  const Shape shape = element.shape();
+  return element.is_triangle() ? shape.p <= 2 : shape.p == 1 && shape.q == 1;
+}
+
+}  // namespace
+
+std::optional<std::string_view> prove_injective(const Forms& forms) {
+  if (derivative_is_affine_on_segments(forms.element())) return "midpoint";
+  const RoundingScope scope;
+  if (jacobian_hull(forms, scope)) return "jacobian_hull";
+  if (orientation_criterion(forms).status == Status::proved) return "orientation";
+  return std::nullopt;
+}
+
+}  // namespace bezcert

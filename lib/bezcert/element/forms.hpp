@@ -1,0 +1,92 @@
+// The number forms of one element, each computed on first use and kept: what criteria and decision share.
+//
+// A sign is asked for with a generic expression over the control net; it is answered from the intervals
+// if they are certain and from the integers otherwise, so the answer never depends on the filter.
+#pragma once
+
+#include "bezcert/element/jacobian.hpp"
+#include "bezcert/element/net.hpp"
+
+#include <optional>
+
+namespace bezcert {
+
+/// Whether to try intervals before exact integers. Answers do not depend on it (a test checks).
+enum class Filter { on, off };
+
+/// N (times `numerator_multiple`) and W of an element.
+template <class T>
+struct JacobianForm {
+  Polynomial<T> numerator;
+  Polynomial<T> weight;
+};
+
+class Forms {
+ public:
+  /// Keeps a reference: `element` must outlive this.
+  explicit Forms(const Element& element, Filter filter = Filter::on) : element_(element), filter_(filter) {}
+  Forms(const Forms&) = delete;
+  Forms& operator=(const Forms&) = delete;
+
+  const Element& element() const { return element_; }
+  Filter filter() const { return filter_; }
+
+  /// Needs a RoundingScope alive on the thread.
+  const IntervalNet& interval() const {
+    if (!interval_) interval_ = interval_net(element_);
+    return *interval_;
+  }
+  const ExactNet& exact() const {
+    if (!exact_) exact_ = exact_net(element_);
+    return *exact_;
+  }
+  /// The same for N and W. `interval_jacobian` needs a RoundingScope alive on the thread.
+  const JacobianForm<Interval>& interval_jacobian() const {
+    if (!interval_jacobian_) interval_jacobian_ = jacobian_form(interval().net);
+    return *interval_jacobian_;
+  }
+  const JacobianForm<Integer>& exact_jacobian() const {
+    if (!exact_jacobian_) exact_jacobian_ = jacobian_form(exact().net);
+    return *exact_jacobian_;
+  }
+  /// Whether exact arithmetic was needed so far.
+  bool went_exact() const { return exact_.has_value(); }
+
+  /// The sign of `expression(net)`, an expression in +, -, * written once for any number type.
+  template <class Expression>
+  int sign_of(const RoundingScope&, Expression expression) const {
+    if (filter_ == Filter::on) {
+      if (const auto certain = certain_sign(expression(interval().net))) return *certain;
+    }
+    return sign(expression(exact().net));
+  }
+
+ private:
+  template <class T>
+  static JacobianForm<T> jacobian_form(const Net<T>& net) {
+    return {jacobian_numerator(net), weight_polynomial(net)};
+  }
+
+  const Element& element_;
+  Filter filter_;
+  mutable std::optional<IntervalNet> interval_;
+  mutable std::optional<ExactNet> exact_;
+  mutable std::optional<JacobianForm<Interval>> interval_jacobian_;
+  mutable std::optional<JacobianForm<Integer>> exact_jacobian_;
+};
+
+/// The orientation of control points a, b, c of a net: a positive multiple of twice the signed area of
+/// the triangle (a, b, c).
+template <class T>
+T orientation(const Net<T>& net, std::size_t a, std::size_t b, std::size_t c) {
+  const T bx = net.x[b] - net.x[a];
+  const T by = net.y[b] - net.y[a];
+  const T cx = net.x[c] - net.x[a];
+  const T cy = net.y[c] - net.y[a];
+  if (!net.rational()) return bx * cy - by * cx;
+  const T bw = net.w[b] - net.w[a];
+  const T cw = net.w[c] - net.w[a];
+  return (by * cw - bw * cy) * net.x[a] + (bw * cx - bx * cw) * net.y[a] + (bx * cy - by * cx) * net.w[a];
+}
+
+}  // namespace bezcert

@@ -1,0 +1,255 @@
+#include "bezcert/element/jacobian_tree.hpp"
+
+#include "bezcert/element/bisect.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace bezcert {
+namespace {
+
+// Exact signs from intervals where they say enough: one coefficient of each sign settles both flags, the
+// corners must all be certain.
+std::optional<PieceSigns> certain_signs(const std::vector<Interval>& coefficients,
+                                        const std::vector<std::size_t>& corners) {
+  PieceSigns result;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto corner = certain_sign(coefficients[corners[k]]);
+    if (!corner) return std::nullopt;
+    result.corner[k] = static_cast<signed char>(*corner);
+  }
+  bool negative = false;
+  bool positive = false;
+  bool maybe_negative = false;
+  bool maybe_positive = false;
+  for (const Interval& c : coefficients) {
+    // Written so that NaN counts as "maybe".
+    negative |= c.sup() < 0;
+    positive |= c.inf() > 0;
+    maybe_negative |= !(c.inf() >= 0);
+    maybe_positive |= !(c.sup() <= 0);
+  }
+  if (negative != maybe_negative || positive != maybe_positive) return std::nullopt;
+  result.none_negative = !negative;
+  result.none_positive = !positive;
+  return result;
+}
+
+PieceSigns exact_signs(const std::vector<Integer>& coefficients, const std::vector<std::size_t>& corners) {
+  PieceSigns result{true, true, {}};
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    result.corner[k] = static_cast<signed char>(sign(coefficients[corners[k]]));
+  }
+  for (const Integer& c : coefficients) {
+    if (c.sign() < 0) result.none_negative = false;
+    if (c.sign() > 0) result.none_positive = false;
+  }
+  return result;
+}
+
+// min and max for numbers and for intervals that contain numbers.
+Rational smaller(const Rational& a, const Rational& b) { return a < b ? a : b; }
+Rational larger(const Rational& a, const Rational& b) { return a < b ? b : a; }
+Interval smaller(const Interval& a, const Interval& b) {
+  return {std::min(a.inf(), b.inf()), std::min(a.sup(), b.sup())};
+}
+Interval larger(const Interval& a, const Interval& b) {
+  return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
+}
+
+bool certainly_not_negative(const Rational& a) { return a.sign() >= 0; }
+bool certainly_not_negative(const Interval& a) { return a.inf() >= 0; }
+
+// Coefficients stand for numbers of this type once their power of two is taken out.
+Rational as_number(const Integer& value, int shift) { return Rational(value) * power_of_two(-shift); }
+Interval as_number(const Interval& value, int) { return value; }
+
+template <class Number, class T>
+std::pair<Number, Number> coefficient_range(const Polynomial<T>& f, int shift) {
+  if constexpr (std::is_same_v<T, Integer>) {
+    const auto [low, high] = range(f);
+    return {as_number(low, shift), as_number(high, shift)};
+  } else {
+    std::pair<Number, Number> result(f.coefficients[0], f.coefficients[0]);
+    for (const Interval& c : f.coefficients) {
+      result.first = smaller(result.first, c);
+      result.second = larger(result.second, c);
+    }
+    return result;
+  }
+}
+
+template <class Number>
+Number cube(const Number& x) {
+  return x * x * x;
+}
+
+}  // namespace
+
+// The four numbers of DeterminantBounds before rounding: exact, or intervals that contain them.
+template <class T>
+struct JacobianTree::Extremes {
+  T min_lower, min_upper, max_lower, max_upper;
+};
+
+JacobianTree::JacobianTree(const Forms& forms) : forms_(forms) {
+  const Shape shape = numerator_shape(forms.element().shape(), forms.element().rational());
+  corners_ = corner_indices(shape);
+  corner_count_ = corners_.size();
+  nodes_.emplace_back();
+}
+
+template <>
+std::optional<JacobianTree::Form<Interval>>& JacobianTree::slot<Interval>(Node& node) {
+  return node.interval;
+}
+template <>
+std::optional<JacobianTree::Form<Integer>>& JacobianTree::slot<Integer>(Node& node) {
+  return node.exact;
+}
+
+template <class T>
+JacobianTree::Form<T> JacobianTree::root_form() const {
+  if constexpr (std::is_same_v<T, Interval>) {
+    return {forms_.interval_jacobian(), 0, 0};
+  } else {
+    return {forms_.exact_jacobian(), 0, 0};
+  }
+}
+
+template <class T>
+const JacobianTree::Form<T>& JacobianTree::form(Piece piece) {
+  auto& own = slot<T>(nodes_[piece]);
+  if (own) return *own;
+  if (piece == root) {
+    own = root_form<T>();
+    return *own;
+  }
+  const Node& node = nodes_[piece];
+  const Form<T>& parent = form<T>(node.parent);
+  const int direction = nodes_[node.parent].depth % 2;
+  auto numerators = bisect(parent.numerator, direction);
+  auto weights = bisect(parent.weight, direction);
+  const int numerator_shift =
+      parent.numerator_shift + bisection_shift<T>(parent.numerator.shape, direction);
+  const int weight_shift = parent.weight_shift + bisection_shift<T>(parent.weight.shape, direction);
+  const Piece first = node.second ? piece - 1 : piece;
+  slot<T>(nodes_[first]) = {{std::move(numerators.first), std::move(weights.first)}, numerator_shift,
+                            weight_shift};
+  slot<T>(nodes_[first + 1]) = {{std::move(numerators.second), std::move(weights.second)}, numerator_shift,
+                                weight_shift};
+  return *own;
+}
+
+std::pair<JacobianTree::Piece, JacobianTree::Piece> JacobianTree::split(Piece piece) {
+  for (const bool second : {false, true}) {
+    Node child;
+    child.parent = piece;
+    child.depth = nodes_[piece].depth + 1;
+    child.second = second;
+    nodes_.push_back(std::move(child));
+  }
+  return {nodes_.size() - 2, nodes_.size() - 1};
+}
+
+PieceSigns JacobianTree::signs(const RoundingScope&, Piece piece) {
+  if (forms_.filter() == Filter::on) {
+    if (const auto certain = certain_signs(form<Interval>(piece).numerator.coefficients, corners_)) {
+      return *certain;
+    }
+  }
+  return exact_signs(form<Integer>(piece).numerator.coefficients, corners_);
+}
+
+bool JacobianTree::proves_positive(const PieceSigns& signs) const {
+  return signs.none_negative && std::all_of(signs.corner.begin(), signs.corner.begin() + corner_count_,
+                                            [](signed char s) { return s > 0; });
+}
+
+bool JacobianTree::proves_negative(const PieceSigns& signs) const {
+  return signs.none_positive && std::all_of(signs.corner.begin(), signs.corner.begin() + corner_count_,
+                                            [](signed char s) { return s < 0; });
+}
+
+Parameter JacobianTree::corner(Piece piece, std::size_t corner) const {
+  std::vector<bool> path;  // from the piece up to the root
+  for (Piece at = piece; at != root; at = nodes_[at].parent) path.push_back(nodes_[at].second);
+  if (corner_count_ == 3) {
+    std::array<Parameter, 3> corners = {Parameter{1, 0, 0}, Parameter{0, 1, 0}, Parameter{0, 0, 1}};
+    for (auto step = path.rbegin(); step != path.rend(); ++step) {
+      Parameter middle(3);
+      for (std::size_t i = 0; i < 3; ++i) middle[i] = (corners[0][i] + corners[1][i]) / 2;
+      corners = *step ? std::array{corners[1], corners[2], middle} : std::array{corners[2], corners[0], middle};
+    }
+    return corners[corner];
+  }
+  std::array<Rational, 2> low = {0, 0};
+  std::array<Rational, 2> size = {1, 1};
+  std::size_t direction = 0;
+  for (auto step = path.rbegin(); step != path.rend(); ++step) {
+    size[direction] /= 2;
+    if (*step) low[direction] += size[direction];
+    direction = 1 - direction;
+  }
+  const bool right = corner == 1 || corner == 2;
+  const bool top = corner >= 2;
+  return {right ? low[0] + size[0] : low[0], top ? low[1] + size[1] : low[1]};
+}
+
+template <class T>
+JacobianTree::Extremes<T> JacobianTree::extremes(std::span<const Piece> pieces) {
+  using Coefficient = std::conditional_t<std::is_same_v<T, Rational>, Integer, Interval>;
+  const bool rational = forms_.element().rational();
+  Extremes<T> result;
+  bool first = true;
+  for (const Piece piece : pieces) {
+    const Form<Coefficient>& f = form<Coefficient>(piece);
+    auto [low, high] = coefficient_range<T>(f.numerator, f.numerator_shift);
+    std::vector<T> values;
+    for (const std::size_t i : corners_) values.push_back(as_number(f.numerator.coefficients[i], f.numerator_shift));
+    if (rational) {
+      const auto [thin, thick] = coefficient_range<T>(f.weight, f.weight_shift);
+      // N / W^3 is smallest with the smallest N and, according to its sign, the largest or smallest W. An
+      // interval of unknown sign divided by the smallest W contains both.
+      low = low / cube(certainly_not_negative(low) ? thick : thin);
+      high = high / cube(certainly_not_negative(-high) ? thick : thin);
+      const auto weight_corners = corner_indices(f.weight.shape);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        values[k] = values[k] / cube(as_number(f.weight.coefficients[weight_corners[k]], f.weight_shift));
+      }
+    }
+    if (first) result = {low, values[0], values[0], high};
+    first = false;
+    result.min_lower = smaller(result.min_lower, low);
+    result.max_upper = larger(result.max_upper, high);
+    for (const T& value : values) {
+      result.min_upper = smaller(result.min_upper, value);
+      result.max_lower = larger(result.max_lower, value);
+    }
+  }
+  return result;
+}
+
+DeterminantBounds JacobianTree::bounds(const RoundingScope&, std::span<const Piece> pieces, int bits) {
+  const Shape element = forms_.element().shape();
+  const Integer& multiple = numerator_multiple(numerator_shape(element, forms_.element().rational()));
+  if (forms_.filter() == Filter::on) {
+    const Interval scale = forms_.interval().scale;
+    const Interval factor = Interval(degree_factor(element)) * scale * scale / to_interval(multiple);
+    const Extremes<Interval> found = extremes<Interval>(pieces);
+    const auto min_lower = round_down(found.min_lower * factor, bits);
+    const auto min_upper = round_up(found.min_upper * factor, bits);
+    const auto max_lower = round_down(found.max_lower * factor, bits);
+    const auto max_upper = round_up(found.max_upper * factor, bits);
+    if (min_lower && min_upper && max_lower && max_upper) {
+      return {*min_lower, *min_upper, *max_lower, *max_upper};
+    }
+  }
+  const Rational& scale = forms_.exact().scale;
+  const Rational factor = Rational(degree_factor(element)) * scale * scale / Rational(multiple);
+  const Extremes<Rational> found = extremes<Rational>(pieces);
+  return {round_down(Rational(found.min_lower * factor), bits), round_up(Rational(found.min_upper * factor), bits),
+          round_down(Rational(found.max_lower * factor), bits), round_up(Rational(found.max_upper * factor), bits)};
+}
+
+}  // namespace bezcert

@@ -1,0 +1,95 @@
+// The Jacobian numerator on a binary subdivision of the domain: intervals first, exact when asked.
+//
+// A piece is a triangle cut from its parent through the middle of one side (newest vertex bisection: four
+// congruence classes, no thin pieces), or a rectangle halved alternately in u and in v. Corners of pieces
+// are dyadic parameters. On a piece, with the Bernstein coefficients C of N over that piece:
+//   all C >= 0 and the corner ones > 0   =>  N > 0 on the closed piece,
+// because N >= corner coefficients times their basis functions, and at every point of the piece at least
+// one corner basis function is positive. With signs exchanged, N < 0.
+// All signs and bounds here are functions of the exact coefficients; intervals only save the work.
+#pragma once
+
+#include "bezcert/element/forms.hpp"
+#include "bezcert/number/outward.hpp"
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <span>
+
+namespace bezcert {
+
+/// Exact signs of the coefficients of N on one piece.
+struct PieceSigns {
+  bool none_negative = false;           ///< every coefficient is >= 0
+  bool none_positive = false;           ///< every coefficient is <= 0
+  std::array<signed char, 4> corner{};  ///< sign at each corner; corner[3] unused for triangles
+};
+
+/// Proven bounds: min_lower <= min det J <= min_upper, max_lower <= max det J <= max_upper.
+struct DeterminantBounds {
+  Dyadic min_lower, min_upper, max_lower, max_upper;
+};
+
+class JacobianTree {
+ public:
+  using Piece = std::size_t;
+
+  /// The tree of one piece, the whole domain. Keeps a reference to `forms`.
+  explicit JacobianTree(const Forms& forms);
+
+  static constexpr Piece root = 0;
+  std::size_t piece_count() const { return nodes_.size(); }
+  std::size_t corner_count() const { return corner_count_; }
+  int depth(Piece piece) const { return nodes_[piece].depth; }
+
+  /// Cuts a piece in two; the children are the two last pieces, in the order of the header.
+  std::pair<Piece, Piece> split(Piece piece);
+
+  /// The exact signs of the coefficients on a piece.
+  PieceSigns signs(const RoundingScope& scope, Piece piece);
+
+  /// Whether `signs` proves det J > 0 (or < 0) on the whole closed piece.
+  bool proves_positive(const PieceSigns& signs) const;
+  bool proves_negative(const PieceSigns& signs) const;
+
+  /// The parameter of a corner of a piece, exactly.
+  Parameter corner(Piece piece, std::size_t corner) const;
+
+  /// Bounds of det J over the union of the given pieces, rounded outwards to `bits` bits (outward.hpp).
+  /// Precondition: `pieces` is not empty.
+  DeterminantBounds bounds(const RoundingScope& scope, std::span<const Piece> pieces, int bits = report_bits);
+
+ private:
+  // N and W on one piece. The coefficients are those of the root times 2^shift: integers are not divided.
+  template <class T>
+  struct Form : JacobianForm<T> {
+    int numerator_shift = 0;
+    int weight_shift = 0;
+  };
+  struct Node {
+    Piece parent = 0;
+    int depth = 0;
+    bool second = false;  // which child of its parent
+    std::optional<Form<Interval>> interval;
+    std::optional<Form<Integer>> exact;
+  };
+  template <class T>
+  struct Extremes;
+
+  template <class T>
+  static std::optional<Form<T>>& slot(Node& node);
+  template <class T>
+  const Form<T>& form(Piece piece);
+  template <class T>
+  Form<T> root_form() const;
+  template <class T>
+  Extremes<T> extremes(std::span<const Piece> pieces);
+
+  const Forms& forms_;
+  std::size_t corner_count_;
+  std::vector<std::size_t> corners_;  // positions of the corner coefficients of N
+  std::deque<Node> nodes_;
+};
+
+}  // namespace bezcert

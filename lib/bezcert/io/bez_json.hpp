@@ -1,0 +1,19 @@
+// Our own exact format, .bez.json (docs/formats.md). All numbers mean their exact decimal value, or p/q.
+#pragma once
+
+#include "bezcert/mesh/mesh.hpp"
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+namespace bezcert {
+
+/// Throws InputError. Curves are checked for their form and left out: a mesh has elements only.
+Mesh read_bez_json(const std::string& file, std::string_view bytes);
+
+/// One element with its points as given, exactly; `name` and `source` are left out if empty.
+void write_bez_json(std::ostream& stream, const Element& element, const std::string& name,
+                    const std::string& source);
+
+}  // namespace bezcert

@@ -1,0 +1,67 @@
+#include "bezcert/io/file.hpp"
+
+#include "bezcert/io/input_error.hpp"
+
+#include <openssl/evp.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace bezcert {
+
+std::string read_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (error || !std::filesystem::exists(status)) throw InputError(path, 0, "no such file");
+  if (std::filesystem::is_directory(status)) throw InputError(path, 0, "is a folder, expected a mesh file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path, 0, std::string("cannot be read: ") + std::strerror(errno));
+  std::string bytes;
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error) bytes.reserve(size);
+  std::array<char, 1 << 16> block;
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) throw InputError(path, 0, "cannot be read to its end");
+  return bytes;
+}
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int length = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
+    throw std::runtime_error("sha256: the digest failed");
+  }
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (unsigned int i = 0; i < length; ++i) {
+    text += digits[digest[i] >> 4];
+    text += digits[digest[i] & 15];
+  }
+  return text;
+}
+
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
+  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+  if (!stream) throw InputError(path, 0, std::string("cannot be written: ") + std::strerror(errno));
+  try {
+    write(stream);
+    stream.close();
+    if (!stream) throw InputError(path, 0, "cannot be written: the disk may be full");
+    std::error_code error;
+    std::filesystem::rename(temporary, path, error);
+    if (error) throw InputError(path, 0, "cannot be written: " + error.message());
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw;
+  }
+}
+
+}  // namespace bezcert

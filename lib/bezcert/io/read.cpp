@@ -1,0 +1,19 @@
+#include "bezcert/io/read.hpp"
+
+#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/gmsh.hpp"
+#include "bezcert/io/input_error.hpp"
+
+namespace bezcert {
+
+Mesh read_mesh(const std::string& file, std::string_view bytes, const ReadOptions& options) {
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  if (start == std::string_view::npos) throw InputError(file, 0, "the file is empty");
+  if (bytes[start] == '{') return read_bez_json(file, bytes);
+  if (bytes[start] == '$') return read_gmsh(file, bytes, options);
+  throw InputError(file, 0,
+                   "the format is not known: expected Gmsh .msh (starting with $MeshFormat) or .bez.json "
+                   "(starting with {)");
+}
+
+}  // namespace bezcert

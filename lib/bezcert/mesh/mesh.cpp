@@ -1,0 +1,31 @@
+#include "bezcert/mesh/mesh.hpp"
+
+#include <span>
+
+namespace bezcert {
+namespace {
+
+ExactVector gather(const ExactVector& from, std::span<const std::uint32_t> nodes) {
+  if (from.binary64()) {
+    std::vector<double> values;
+    values.reserve(nodes.size());
+    for (const std::uint32_t node : nodes) values.push_back(from.doubles()[node]);
+    return ExactVector(std::move(values));
+  }
+  std::vector<Rational> values;
+  values.reserve(nodes.size());
+  for (const std::uint32_t node : nodes) values.push_back(from.rationals()[node]);
+  return ExactVector(std::move(values));
+}
+
+}  // namespace
+
+Element Mesh::element(std::size_t i) const {
+  const MeshElement& entry = elements[i];
+  const std::span<const std::uint32_t> nodes(connectivity.data() + entry.first_node,
+                                             coefficient_count(entry.shape));
+  return Element(entry.shape, entry.basis, gather(x, nodes), gather(y, nodes),
+                 weights.empty() ? ExactVector() : gather(weights, nodes));
+}
+
+}  // namespace bezcert
