@@ -1,10 +1,135 @@
-#include "bezcert/decide/decide.hpp"
-#include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+// The command line: options in, one subcommand run, an exit code out.
+#include "bezcert/io/input_error.hpp"
+#include "check.hpp"
+#include "exit_code.hpp"
+#include "explain.hpp"
+
+#include <CLI/CLI.hpp>
+
 #include <iostream>
-using namespace bezcert;
-int main(int, char** argv){
-  Mesh mesh=read_mesh(argv[1], read_file(argv[1]));
-  for(size_t i=0;i<mesh.elements.size();++i){ Element e=mesh.element(i); Forms f(e); Decision d=decide(f);
-    std::cout<<mesh.elements[i].tag<<" "<<name(d.verdict)<<" "<<d.injectivity_proof<<" "<<d.pieces<<" "<<to_decimal(to_rational(d.bounds.min_lower))<<" "<<to_decimal(to_rational(d.bounds.min_upper)); if(d.witness) std::cout<<" "<<to_string(d.witness->parameter)<<" "<<to_decimal(d.witness->determinant); std::cout<<" "<<d.open<<"\n";}
+
+namespace bezcert::certify {
+namespace {
+
+int list_criteria() {
+  for (const Criterion& criterion : criteria()) {
+    std::cout << criterion.name << "\n  theorem   " << criterion.theorem << "\n  claim     "
+              << name(criterion.claim) << "\n  standing  " << name(criterion.standing)
+              << (criterion.refuted ? " (refuted: counterexamples in the corpus)" : "") << "\n  states    "
+              << criterion.statement << '\n';
+  }
+  return exit_certified;
+}
+
+// "all", "none" or a comma-separated list of names.
+std::vector<const Criterion*> chosen_criteria(const std::string& text) {
+  std::vector<const Criterion*> result;
+  if (text == "none") return result;
+  for (const Criterion& criterion : criteria()) {
+    if (text == "all") result.push_back(&criterion);
+  }
+  if (text == "all") return result;
+  std::string known;
+  for (const Criterion& criterion : criteria()) known += ", " + std::string(criterion.name);
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string one = text.substr(at, comma - at);
+    const Criterion* criterion = find_criterion(one);
+    if (criterion == nullptr) {
+      throw CLI::ValidationError("--criteria", "\"" + one + "\" is no criterion: expected all, none" + known);
+    }
+    if (std::find(result.begin(), result.end(), criterion) == result.end()) result.push_back(criterion);
+    at = comma + 1;
+  }
+  return result;
+}
+
+void add_read_options(CLI::App& command, ReadOptions& options) {
+  command
+      .add_option("--basis", options.basis,
+                  "what the points of a .msh are: lagrange nodes (default) or bernstein control points")
+      ->transform(CLI::Transformer(
+          std::map<std::string, Basis>{{"lagrange", Basis::lagrange}, {"bernstein", Basis::bernstein}}))
+      ->option_text("lagrange|bernstein");
+  command
+      .add_option("--numbers", options.numbers,
+                  "what text coordinates of a .msh mean: the nearest double (default) or their decimal value")
+      ->transform(CLI::Transformer(
+          std::map<std::string, Numbers>{{"binary64", Numbers::binary64}, {"decimal", Numbers::decimal}}))
+      ->option_text("binary64|decimal");
+}
+
+void add_budget(CLI::App& command, Budget& budget) {
+  command.add_option("--budget", budget.pieces, "pieces of the subdivision of one element (default 4096)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000000}))
+      ->option_text("PIECES");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Exact verification of curved planar meshes: is every element an injective map?", "certify"};
+  app.set_version_flag("--version", "bezcert " BEZCERT_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 all certified, 1 something invalid, 2 usage or input error, 3 undecided,\n"
+      "4 a sound criterion contradicts the exact decision (a defect of bezcert).");
+
+  CheckOptions check_options;
+  std::string criteria_text = "all";
+  std::string fail_on = "undecided";
+  CLI::App* check_command = app.add_subcommand("check", "decide every element of meshes");
+  check_command->add_option("MESH", check_options.meshes, "mesh files: Gmsh .msh or .bez.json")->required();
+  add_read_options(*check_command, check_options.read);
+  check_command
+      ->add_option("--criteria", criteria_text,
+                   "published conditions to hold against the decision (default all)")
+      ->option_text("all|none|LIST");
+  check_command->add_option("--format", check_options.format, "of the report (default text)")
+      ->check(CLI::IsMember({"text", "jsonl"}))
+      ->option_text("text|jsonl");
+  check_command->add_option("-o", check_options.output, "write the report to FILE")->option_text("FILE");
+  check_command
+      ->add_option("--fail-on", fail_on,
+                   "undecided (default): exit 3 if something is open; invalid: exit 0 then")
+      ->check(CLI::IsMember({"invalid", "undecided"}))
+      ->option_text("invalid|undecided");
+  add_budget(*check_command, check_options.budget);
+
+  ExplainOptions explain_options;
+  CLI::App* explain_command = app.add_subcommand("explain", "everything known of one element");
+  explain_command->add_option("MESH", explain_options.mesh, "mesh file")->required();
+  explain_command
+      ->add_option("--element", explain_options.element,
+                   "its number in the file (.bez.json: its place, from 1) or its name")
+      ->required()
+      ->option_text("N");
+  add_read_options(*explain_command, explain_options.read);
+  add_budget(*explain_command, explain_options.budget);
+
+  CLI::App* criteria_command = app.add_subcommand("criteria", "the published conditions and their standing");
+
+  try {
+    app.parse(argc, argv);
+    check_options.criteria = chosen_criteria(criteria_text);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    std::cerr << "certify: " << error.what() << " (certify --help lists the options)\n";
+    return exit_input_error;
+  }
+  check_options.fail_on_undecided = fail_on == "undecided";
+  if (criteria_command->parsed()) return list_criteria();
+  return explain_command->parsed() ? explain(explain_options) : check(check_options);
+}
+
+}  // namespace
+}  // namespace bezcert::certify
+
+int main(int argc, char** argv) {
+  try {
+    std::ios::sync_with_stdio(false);
+    return bezcert::certify::run(argc, argv);
+  } catch (const bezcert::InputError& error) {
+    std::cout.flush();
+    std::cerr << error.what() << '\n';
+    return bezcert::certify::exit_input_error;
+  }
 }

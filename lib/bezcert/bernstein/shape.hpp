@@ -39,17 +39,15 @@ constexpr std::size_t coefficient_count(Shape shape) {
 }
 
 /// The number of rows, and of columns in one row.
-constexpr int row_count(Shape shape) {
-  return (shape.domain == Domain::triangle ? shape.p : shape.q) + 1;
-}
+constexpr int row_count(Shape shape) { return (shape.domain == Domain::triangle ? shape.p : shape.q) + 1; }
 constexpr int column_count(Shape shape, int row) {
   return (shape.domain == Domain::triangle ? shape.p - row : shape.p) + 1;
 }
 
 /// Position of the coefficient in row `row`, column `column`.
 constexpr std::size_t coefficient_index(Shape shape, int row, int column) {
-  const int before = shape.domain == Domain::triangle ? row * (shape.p + 1) - row * (row - 1) / 2
-                                                      : row * (shape.p + 1);
+  const int before =
+      shape.domain == Domain::triangle ? row * (shape.p + 1) - row * (row - 1) / 2 : row * (shape.p + 1);
   return static_cast<std::size_t>(before + column);
 }
 

@@ -1,6 +1,6 @@
-// YLC22 Theorem 1 (Yang, Liu, Chai, Liu, Fu 2022): if det(l1,l2,l3) * orientation(P_l1,P_l2,P_l3) >= 0 for all
-// triples of control points of a Bezier triangle, and > 0 for the three corner triples (a corner and its two
-// neighbours), then det J > 0. The condition does not mention weights, so it holds for every choice of
+// YLC22 Theorem 1 (Yang, Liu, Chai, Liu, Fu 2022): if det(l1,l2,l3) * orientation(P_l1,P_l2,P_l3) >= 0 for
+// all triples of control points of a Bezier triangle, and > 0 for the three corner triples (a corner and its
+// two neighbours), then det J > 0. The condition does not mention weights, so it holds for every choice of
 // positive weights, and it even makes the map injective. Proof of both: docs/criteria.md, "orientation".
 #pragma once
 

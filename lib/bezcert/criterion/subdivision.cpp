@@ -23,7 +23,9 @@ struct Extent {
   Rational min_lower, min_upper, max_lower, max_upper;
 
   explicit Extent(const std::vector<Leaf>& leaves)
-      : min_lower(leaves[0].min_lower), min_upper(leaves[0].min_upper), max_lower(leaves[0].max_lower),
+      : min_lower(leaves[0].min_lower),
+        min_upper(leaves[0].min_upper),
+        max_lower(leaves[0].max_lower),
         max_upper(leaves[0].max_upper) {
     for (const Leaf& leaf : leaves) {
       min_lower = std::min(min_lower, leaf.min_lower);

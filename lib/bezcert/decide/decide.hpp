@@ -19,9 +19,10 @@ namespace bezcert {
 enum class ElementVerdict { injective, regular, overlapping, degenerate, folded, reversed, undecided };
 
 /// All verdicts, in the order of reports.
-inline constexpr std::array element_verdicts = {
-    ElementVerdict::injective, ElementVerdict::regular, ElementVerdict::overlapping, ElementVerdict::degenerate,
-    ElementVerdict::folded,    ElementVerdict::reversed, ElementVerdict::undecided};
+inline constexpr std::array element_verdicts = {ElementVerdict::injective,   ElementVerdict::regular,
+                                                ElementVerdict::overlapping, ElementVerdict::degenerate,
+                                                ElementVerdict::folded,      ElementVerdict::reversed,
+                                                ElementVerdict::undecided};
 
 std::string_view name(ElementVerdict verdict);
 

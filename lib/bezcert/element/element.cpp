@@ -52,9 +52,7 @@ Element::Element(Shape shape, Basis basis, ExactVector x, ExactVector y, ExactVe
   }
 }
 
-std::string kind_name(const Element& element) {
-  return element.is_triangle() ? "triangle" : "quadrilateral";
-}
+std::string kind_name(const Element& element) { return element.is_triangle() ? "triangle" : "quadrilateral"; }
 
 std::string degree_name(const Element& element) {
   const Shape& shape = element.shape();

@@ -51,7 +51,8 @@ inline int degree_factor(Shape element) {
 }
 
 /// The exact value of det J at a parameter, straight from the map and its derivatives by de Casteljau:
-/// independent of `jacobian_numerator`. Throws std::invalid_argument if the parameter does not fit the domain.
+/// independent of `jacobian_numerator`. Throws std::invalid_argument if the parameter does not fit the
+/// domain.
 Rational jacobian_determinant(const Element& element, const Parameter& parameter);
 
 }  // namespace bezcert

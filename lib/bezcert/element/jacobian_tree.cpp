@@ -130,14 +130,13 @@ const JacobianTree::Form<T>& JacobianTree::form(Piece piece) {
   const int direction = nodes_[node.parent].depth % 2;
   auto numerators = bisect(parent.numerator, direction);
   auto weights = bisect(parent.weight, direction);
-  const int numerator_shift =
-      parent.numerator_shift + bisection_shift<T>(parent.numerator.shape, direction);
+  const int numerator_shift = parent.numerator_shift + bisection_shift<T>(parent.numerator.shape, direction);
   const int weight_shift = parent.weight_shift + bisection_shift<T>(parent.weight.shape, direction);
   const Piece first = node.second ? piece - 1 : piece;
-  slot<T>(nodes_[first]) = {{std::move(numerators.first), std::move(weights.first)}, numerator_shift,
-                            weight_shift};
-  slot<T>(nodes_[first + 1]) = {{std::move(numerators.second), std::move(weights.second)}, numerator_shift,
-                                weight_shift};
+  slot<T>(nodes_[first]) = {
+      {std::move(numerators.first), std::move(weights.first)}, numerator_shift, weight_shift};
+  slot<T>(nodes_[first + 1]) = {
+      {std::move(numerators.second), std::move(weights.second)}, numerator_shift, weight_shift};
   return *own;
 }
 
@@ -179,7 +178,8 @@ Parameter JacobianTree::corner(Piece piece, std::size_t corner) const {
     for (auto step = path.rbegin(); step != path.rend(); ++step) {
       Parameter middle(3);
       for (std::size_t i = 0; i < 3; ++i) middle[i] = (corners[0][i] + corners[1][i]) / 2;
-      corners = *step ? std::array{corners[1], corners[2], middle} : std::array{corners[2], corners[0], middle};
+      corners =
+          *step ? std::array{corners[1], corners[2], middle} : std::array{corners[2], corners[0], middle};
     }
     return corners[corner];
   }
@@ -206,7 +206,8 @@ JacobianTree::Extremes<T> JacobianTree::extremes(std::span<const Piece> pieces) 
     const Form<Coefficient>& f = form<Coefficient>(piece);
     auto [low, high] = coefficient_range<T>(f.numerator, f.numerator_shift);
     std::vector<T> values;
-    for (const std::size_t i : corners_) values.push_back(as_number(f.numerator.coefficients[i], f.numerator_shift));
+    for (const std::size_t i : corners_)
+      values.push_back(as_number(f.numerator.coefficients[i], f.numerator_shift));
     if (rational) {
       const auto [thin, thick] = coefficient_range<T>(f.weight, f.weight_shift);
       // N / W^3 is smallest with the smallest N and, according to its sign, the largest or smallest W. An
@@ -248,8 +249,10 @@ DeterminantBounds JacobianTree::bounds(const RoundingScope&, std::span<const Pie
   const Rational& scale = forms_.exact().scale;
   const Rational factor = Rational(degree_factor(element)) * scale * scale / Rational(multiple);
   const Extremes<Rational> found = extremes<Rational>(pieces);
-  return {round_down(Rational(found.min_lower * factor), bits), round_up(Rational(found.min_upper * factor), bits),
-          round_down(Rational(found.max_lower * factor), bits), round_up(Rational(found.max_upper * factor), bits)};
+  return {round_down(Rational(found.min_lower * factor), bits),
+          round_up(Rational(found.min_upper * factor), bits),
+          round_down(Rational(found.max_lower * factor), bits),
+          round_up(Rational(found.max_upper * factor), bits)};
 }
 
 }  // namespace bezcert

@@ -68,7 +68,8 @@ BasisChange build(Shape shape) {
   BasisChange result;
   result.denominator = 1;
   for (const auto& row : matrix) {
-    for (const Rational& entry : row) result.denominator = lcm(result.denominator, Integer(denominator(entry)));
+    for (const Rational& entry : row)
+      result.denominator = lcm(result.denominator, Integer(denominator(entry)));
   }
   for (const auto& row : matrix) {
     auto& sparse = result.rows.emplace_back();

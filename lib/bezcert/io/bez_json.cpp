@@ -25,7 +25,8 @@ class Reader {
     expect(root, Kind::object, "the file");
     check_keys(root, {"bezcert", "elements", "curves", "points", "weights"});
     const JsonValue& version = required(root, "bezcert", "the file");
-    if (version.kind != Kind::number || version.text != "1") fail(version, "\"bezcert\" must be 1, the format's version");
+    if (version.kind != Kind::number || version.text != "1")
+      fail(version, "\"bezcert\" must be 1, the format's version");
     read_shared_nodes(root);
     if (const JsonValue* curves = root.find("curves")) check_curves(*curves);
     const JsonValue& elements = required(root, "elements", "the file");
@@ -67,13 +68,15 @@ class Reader {
   Rational number(const JsonValue& value, const std::string& what) const {
     if (value.kind == Kind::number || value.kind == Kind::string) {
       // A JSON number keeps its text, so both mean the exact value.
-      if (const auto result = value.kind == Kind::number ? parse_decimal(value.text) : parse_rational(value.text)) {
+      if (const auto result =
+              value.kind == Kind::number ? parse_decimal(value.text) : parse_rational(value.text)) {
         return *result;
       }
     }
-    fail(value, what + " is " +
-                    (value.text.empty() ? std::string(name(value.kind)) : "\"" + value.text.substr(0, 40) + "\"") +
-                    ": expected a finite decimal or \"p/q\"");
+    fail(value,
+         what + " is " +
+             (value.text.empty() ? std::string(name(value.kind)) : "\"" + value.text.substr(0, 40) + "\"") +
+             ": expected a finite decimal or \"p/q\"");
   }
 
   int degree(const JsonValue& value) const {
@@ -99,7 +102,8 @@ class Reader {
   void add_weights(const JsonValue& weights, std::size_t count) {
     expect(weights, Kind::array, "\"weights\"");
     if (weights.items.size() != count) {
-      fail(weights, "there are " + std::to_string(weights.items.size()) + " weights for " + std::to_string(count) + " points");
+      fail(weights, "there are " + std::to_string(weights.items.size()) + " weights for " +
+                        std::to_string(count) + " points");
     }
     for (const JsonValue& weight : weights.items) {
       const Rational value = number(weight, "a weight");
@@ -162,7 +166,8 @@ class Reader {
 
   void add(const JsonValue& element) {
     expect(element, Kind::object, "an element");
-    check_keys(element, {"kind", "degree", "basis", "points", "weights", "nodes", "name", "expect", "source"});
+    check_keys(element,
+               {"kind", "degree", "basis", "points", "weights", "nodes", "name", "expect", "source"});
     MeshElement entry;
     entry.shape = shape_of(element);
     entry.basis = basis_of(element);
@@ -172,7 +177,8 @@ class Reader {
     const std::size_t count = coefficient_count(entry.shape);
     const JsonValue* points = element.find("points");
     const JsonValue* nodes = element.find("nodes");
-    if ((points == nullptr) == (nodes == nullptr)) fail(element, "an element must have either \"points\" or \"nodes\"");
+    if ((points == nullptr) == (nodes == nullptr))
+      fail(element, "an element must have either \"points\" or \"nodes\"");
     const JsonValue& list = points != nullptr ? *points : *nodes;
     expect(list, Kind::array, points != nullptr ? "\"points\"" : "\"nodes\"");
     if (list.items.size() != count) {
@@ -184,7 +190,8 @@ class Reader {
       const std::size_t first = mesh_.x.size();
       if (first + count > std::numeric_limits<std::uint32_t>::max()) fail(element, "too many points");
       add_points(*points);
-      for (std::size_t i = 0; i < count; ++i) mesh_.connectivity.push_back(static_cast<std::uint32_t>(first + i));
+      for (std::size_t i = 0; i < count; ++i)
+        mesh_.connectivity.push_back(static_cast<std::uint32_t>(first + i));
       if (weights != nullptr) {
         add_weights(*weights, count);
       } else {
@@ -204,7 +211,8 @@ class Reader {
     for (const JsonValue& node : nodes.items) {
       const auto index = node.kind == Kind::number ? parse_decimal(node.text) : std::nullopt;
       if (!index || denominator(*index) != 1 || *index < 0 || *index >= shared_) {
-        fail(node, "a node must be an index into \"points\" of the file, from 0 to below " + std::to_string(shared_));
+        fail(node, "a node must be an index into \"points\" of the file, from 0 to below " +
+                       std::to_string(shared_));
       }
       mesh_.connectivity.push_back(static_cast<std::uint32_t>(numerator(*index).convert_to<unsigned long>()));
     }

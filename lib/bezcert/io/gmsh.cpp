@@ -5,14 +5,16 @@
 namespace bezcert {
 namespace {
 
-// version, 0 ASCII or 1 binary, bytes of a number; in a binary file the integer 1 follows. Returns the major version.
+// version, 0 ASCII or 1 binary, bytes of a number; in a binary file the integer 1 follows. Returns the major
+// version.
 int read_format(GmshSource& source) {
   source.read_tokens("the version, file type and data size");
   source.expect_tokens(3, "$MeshFormat: version, file type, data size");
   const std::string version(source.tokens()[0]);
   const bool two = version == "2" || version.starts_with("2.");
   if (!two && version != "4.1") {
-    source.fail("version " + version.substr(0, 20) + " is not read: expected 2.2 or 4.1 (in gmsh: Mesh.MshFileVersion)");
+    source.fail("version " + version.substr(0, 20) +
+                " is not read: expected 2.2 or 4.1 (in gmsh: Mesh.MshFileVersion)");
   }
   const std::int64_t type = source.integer(1, "file type");
   if (type != 0 && type != 1) {

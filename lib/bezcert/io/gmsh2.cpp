@@ -30,7 +30,8 @@ void read_element_line(GmshSource& source, GmshContent& content) {
   }
   content.begin_element(type, tag);
   if (type.type_class != GmshClass::surface) return;
-  for (std::size_t k = 0; k < nodes; ++k) content.add_element_node(source.natural(3 + tags + k, "node number"));
+  for (std::size_t k = 0; k < nodes; ++k)
+    content.add_element_node(source.natural(3 + tags + k, "node number"));
   content.end_element();
 }
 

@@ -95,7 +95,8 @@ void read_element_block(GmshSource& source, GmshContent& content, const Block& b
       content.begin_element(type, source.read_uint64("element tag"));
       for (std::size_t k = 0; k < nodes; ++k) content.add_element_node(source.read_uint64("node tag"));
     } else {
-      source.read_tokens("element " + std::to_string(i + 1) + " of a block of " + std::to_string(block.count));
+      source.read_tokens("element " + std::to_string(i + 1) + " of a block of " +
+                         std::to_string(block.count));
       source.expect_tokens(numbers, "an element of type " + std::to_string(block.third) + ": tag and nodes");
       content.begin_element(type, source.natural(0, "element tag"));
       if (type.type_class != GmshClass::surface) continue;

@@ -72,7 +72,8 @@ const std::vector<std::size_t>& GmshContent::node_order(Shape shape) {
 
 void GmshContent::begin_element(const GmshType& type, std::uint64_t tag) {
   element_nodes_.clear();
-  current_ = {type.shape, options_.basis, tag, static_cast<std::uint32_t>(source_.line()), connectivity_.size()};
+  current_ = {type.shape, options_.basis, tag, static_cast<std::uint32_t>(source_.line()),
+              connectivity_.size()};
   switch (type.type_class) {
     case GmshClass::point: ++mesh_.ignored.points; break;
     case GmshClass::line: ++mesh_.ignored.lines; break;
@@ -114,15 +115,16 @@ Mesh GmshContent::finish() {
   if (!has_nodes) source_.fail_at(0, "there is no $Nodes section");
   if (!has_elements) source_.fail_at(0, "there is no $Elements section");
   if (mesh_.elements.empty()) {
-    source_.fail_at(0, "there are no triangles or quadrangles (ignored: " +
-                           std::to_string(mesh_.ignored.points) + " points, " +
-                           std::to_string(mesh_.ignored.lines) + " lines, " +
-                           std::to_string(mesh_.ignored.volumes) + " volume cells)");
+    source_.fail_at(
+        0, "there are no triangles or quadrangles (ignored: " + std::to_string(mesh_.ignored.points) +
+               " points, " + std::to_string(mesh_.ignored.lines) + " lines, " +
+               std::to_string(mesh_.ignored.volumes) + " volume cells)");
   }
   if (node_tags_.size() >= NodeIndex::none) source_.fail_at(0, "more than 2^32 - 2 nodes are not supported");
 
   NodeIndex index;
-  const std::uint64_t largest = node_tags_.empty() ? 0 : *std::max_element(node_tags_.begin(), node_tags_.end());
+  const std::uint64_t largest =
+      node_tags_.empty() ? 0 : *std::max_element(node_tags_.begin(), node_tags_.end());
   if (largest < 4 * node_tags_.size() + 1024) index.dense.assign(largest + 1, NodeIndex::none);
   for (std::size_t i = 0; i < node_tags_.size(); ++i) {
     if (!index.add(node_tags_[i], static_cast<std::uint32_t>(i))) {
@@ -142,10 +144,10 @@ Mesh GmshContent::finish() {
       }
       if (!first) first = node;
       if (z_[node] != z_[*first]) {
-        source_.fail_at(node_lines_[node], "the mesh is not planar: node " + std::to_string(tag) + " has z = " +
-                                               to_decimal(z_[node]) + ", node " +
-                                               std::to_string(node_tags_[*first]) + " has z = " +
-                                               to_decimal(z_[*first]) + "; expected one z for all surface nodes");
+        source_.fail_at(node_lines_[node],
+                        "the mesh is not planar: node " + std::to_string(tag) + " has z = " +
+                            to_decimal(z_[node]) + ", node " + std::to_string(node_tags_[*first]) +
+                            " has z = " + to_decimal(z_[*first]) + "; expected one z for all surface nodes");
       }
       mesh_.connectivity.push_back(node);
     }

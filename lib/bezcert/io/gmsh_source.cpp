@@ -99,7 +99,8 @@ void GmshSource::expect_end(std::string_view section) {
   const std::string end = "$End" + std::string(section);
   const std::string_view text = next_line();
   if (text.empty()) fail("the file ends early: expected " + end);
-  if (text != end) fail("expected " + end + " after what $" + std::string(section) + " announced, found " + quoted(text));
+  if (text != end)
+    fail("expected " + end + " after what $" + std::string(section) + " announced, found " + quoted(text));
 }
 
 void GmshSource::skip_section(std::string_view section) {

@@ -12,9 +12,9 @@ enum class GmshClass { point, line, surface, volume, serendipity, unsupported };
 
 struct GmshType {
   GmshClass type_class = GmshClass::unsupported;
-  int nodes = 0;           ///< nodes an element has
-  Shape shape;             ///< of a surface element
-  std::string_view name;   ///< of types that are refused
+  int nodes = 0;          ///< nodes an element has
+  Shape shape;            ///< of a surface element
+  std::string_view name;  ///< of types that are refused
 };
 
 /// The type of a number; unsupported with 0 nodes if gmsh has none of that number that has a fixed count.

@@ -78,7 +78,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     const std::size_t colon = why.find(": ");
     if (colon != std::string::npos) why = why.substr(colon + 2);
     for (char& c : why) {
-      if (c == '\n' || c == '\r' || static_cast<unsigned char>(c) >= 127 || static_cast<unsigned char>(c) < 32) c = '?';
+      if (c == '\n' || c == '\r' || static_cast<unsigned char>(c) >= 127 ||
+          static_cast<unsigned char>(c) < 32)
+        c = '?';
     }
     (void)token;
     throw InputError(file_, lines_, "no JSON: " + why.substr(0, 200));

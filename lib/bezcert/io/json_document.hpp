@@ -13,9 +13,9 @@ struct JsonValue {
   enum class Kind { null, boolean, number, string, array, object };
   Kind kind = Kind::null;
   std::size_t line = 0;
-  std::string text;                                          ///< of a string, or of a number as written
-  std::vector<JsonValue> items;                              ///< of an array
-  std::vector<std::pair<std::string, JsonValue>> members;    ///< of an object, in file order, keys unique
+  std::string text;                                        ///< of a string, or of a number as written
+  std::vector<JsonValue> items;                            ///< of an array
+  std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object, in file order, keys unique
 
   /// The member of that key, or nullptr.
   const JsonValue* find(std::string_view key) const;

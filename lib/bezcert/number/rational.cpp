@@ -34,8 +34,7 @@ Rational power(const Rational& base, int exponent) {
 
 Integer floor(const Rational& value) {
   Integer result;
-  mpz_fdiv_q(result.backend().data(), mpq_numref(value.backend().data()),
-             mpq_denref(value.backend().data()));
+  mpz_fdiv_q(result.backend().data(), mpq_numref(value.backend().data()), mpq_denref(value.backend().data()));
   return result;
 }
 

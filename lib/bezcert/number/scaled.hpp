@@ -18,7 +18,8 @@ struct ScaledIntegers {
   Rational scale;
 };
 
-/// Brings finite doubles to the largest common power of two. Throws std::invalid_argument if one is not finite.
+/// Brings finite doubles to the largest common power of two. Throws std::invalid_argument if one is not
+/// finite.
 ScaledIntegers scaled_integers(std::span<const double> numbers);
 
 /// Brings rationals to their least common denominator.

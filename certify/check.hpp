@@ -1,0 +1,26 @@
+// certify check: every element of every mesh, by every chosen criterion and by exact decision.
+#pragma once
+
+#include "bezcert/criterion/criterion.hpp"
+#include "bezcert/decide/decide.hpp"
+#include "bezcert/io/read.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bezcert::certify {
+
+struct CheckOptions {
+  std::vector<std::string> meshes;
+  ReadOptions read;
+  std::vector<const Criterion*> criteria;
+  std::string format = "text";  ///< "text" or "jsonl"
+  std::string output;           ///< empty: standard output
+  bool fail_on_undecided = true;
+  Budget budget;
+};
+
+/// The exit code. Throws InputError.
+int check(const CheckOptions& options);
+
+}  // namespace bezcert::certify

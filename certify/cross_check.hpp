@@ -1,0 +1,52 @@
+// The cross-check of one element: every published condition against the exact decision.
+#pragma once
+
+#include "bezcert/criterion/criterion.hpp"
+#include "bezcert/decide/decide.hpp"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace bezcert::certify {
+
+/// consistent; strength_gap: the criterion is inconclusive about what the decision proves; contradiction:
+/// one of them is wrong.
+enum class Agreement { consistent, strength_gap, contradiction };
+
+std::string_view name(Agreement agreement);
+
+/// How one verdict stands to the decision.
+Agreement compare(const Verdict& verdict, const Decision& decision);
+
+struct CheckedCriterion {
+  const Criterion* criterion = nullptr;
+  Verdict verdict;
+  Agreement agreement = Agreement::consistent;
+
+  /// A contradiction of a published claim: a result about the claim.
+  bool is_finding() const {
+    return agreement == Agreement::contradiction && criterion->standing == Standing::claimed;
+  }
+  /// A contradiction of a proven theorem: a defect of this program.
+  bool is_defect() const {
+    return agreement == Agreement::contradiction && criterion->standing == Standing::sound;
+  }
+};
+
+struct CheckedElement {
+  Decision decision;
+  std::vector<CheckedCriterion> criteria;
+  /// The strongest disagreement.
+  Agreement agreement = Agreement::consistent;
+};
+
+/// Decides an element and runs the chosen criteria on it.
+CheckedElement check_element(const Element& element, std::span<const Criterion* const> chosen,
+                             const Budget& budget);
+
+/// Whether the element is certainly not certifiable: an invalid verdict, or undecided with a witness that
+/// det J <= 0 somewhere.
+bool certainly_invalid(const Decision& decision);
+
+}  // namespace bezcert::certify

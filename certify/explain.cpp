@@ -1,0 +1,144 @@
+#include "explain.hpp"
+
+#include "bezcert/criterion/subdivision.hpp"
+#include "bezcert/io/file.hpp"
+#include "bezcert/io/input_error.hpp"
+#include "bezcert/number/parse.hpp"
+#include "exit_code.hpp"
+#include "report.hpp"
+
+#include <iostream>
+
+namespace bezcert::certify {
+namespace {
+
+std::size_t find_element(const Mesh& mesh, const ExplainOptions& options) {
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    if (std::to_string(mesh.elements[i].tag) == options.element) return i;
+  }
+  for (std::size_t i = 0; i < mesh.names.size(); ++i) {
+    if (!mesh.names[i].empty() && mesh.names[i] == options.element) return i;
+  }
+  throw InputError(options.mesh, 0,
+                   "there is no element " + options.element + ": expected a number from " +
+                       std::to_string(mesh.elements.front().tag) + " to " +
+                       std::to_string(mesh.elements.back().tag) + ", as in the file, or a name");
+}
+
+std::string both(const Rational& value) {
+  const std::string exact_text = to_string(value);
+  const std::string decimal = to_decimal(value);
+  return decimal == exact_text ? exact_text : decimal + " (exactly " + exact_text + ")";
+}
+
+std::string decimal_parameter(const Parameter& parameter) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < parameter.size(); ++i) text += (i > 0 ? ", " : "") + to_decimal(parameter[i]);
+  return text + ")";
+}
+
+void print_witness(const char* label, const Witness& witness) {
+  std::cout << label << "\n  parameter  " << to_string(witness.parameter) << "\n  decimal    "
+            << decimal_parameter(witness.parameter) << "\n  det J      " << both(witness.determinant) << '\n';
+}
+
+void print_net(const Element& element) {
+  const char* what = element.basis() == Basis::bernstein ? "control points" : "nodes";
+  std::cout << what << " (" << (element.basis() == Basis::bernstein ? "bernstein" : "lagrange")
+            << " basis, rows from the first edge on)\n";
+  std::size_t i = 0;
+  for (int r = 0; r < row_count(element.shape()); ++r) {
+    for (int c = 0; c < column_count(element.shape(), r); ++c, ++i) {
+      std::cout << "  row " << r << " column " << c << ": (" << to_decimal(element.x()[i], 17) << ", "
+                << to_decimal(element.y()[i], 17) << ")";
+      if (element.rational()) std::cout << " weight " << to_decimal(element.weights()[i], 17);
+      std::cout << '\n';
+    }
+  }
+}
+
+// One character a coefficient of N, rows from the last to the first, so that it looks like the domain.
+void print_signs(const Forms& forms) {
+  const Polynomial<Integer>& n = forms.exact_jacobian().numerator;
+  std::cout << "signs of the Bernstein coefficients of the Jacobian numerator, degree " << n.shape.p;
+  if (n.shape.domain == Domain::square) std::cout << "x" << n.shape.q;
+  std::cout << " (last row on top)\n";
+  for (int r = row_count(n.shape) - 1; r >= 0; --r) {
+    std::cout << "  ";
+    for (int c = 0; c < column_count(n.shape, r); ++c) {
+      const int s = sign(n.at(r, c));
+      std::cout << (s > 0 ? '+' : s < 0 ? '-' : '0') << (c + 1 < column_count(n.shape, r) ? " " : "");
+    }
+    std::cout << '\n';
+  }
+}
+
+void print_bounds(const DeterminantBounds& bounds) {
+  const auto line = [](const char* label, const Dyadic& lower, const Dyadic& upper) {
+    std::cout << "  " << label << " from " << both(to_rational(lower)) << " to " << both(to_rational(upper))
+              << '\n';
+  };
+  line("min det J:", bounds.min_lower, bounds.min_upper);
+  line("max det J:", bounds.max_lower, bounds.max_upper);
+  if (sign(bounds.min_lower) > 0) {
+    std::cout << "  min / max: from "
+              << to_decimal(to_rational(bounds.min_lower) / to_rational(bounds.max_upper)) << " to "
+              << to_decimal(to_rational(bounds.min_upper) / to_rational(bounds.max_lower)) << '\n';
+  }
+}
+
+void print_criteria(const CheckedElement& checked) {
+  std::cout << "criteria\n";
+  for (const CheckedCriterion& one : checked.criteria) {
+    std::cout << "  " << one.criterion->name << " (" << one.criterion->theorem << "; "
+              << name(one.criterion->standing) << (one.criterion->refuted ? ", refuted" : "")
+              << "; would prove " << name(one.criterion->claim) << "): " << name(one.verdict.status);
+    if (!one.verdict.reason.empty()) std::cout << " - " << one.verdict.reason;
+    if (one.is_finding()) std::cout << " - FINDING: the decision refutes this claim";
+    if (one.is_defect()) std::cout << " - CONTRADICTION: a defect of bezcert";
+    std::cout << '\n';
+  }
+}
+
+int exit_code_of(const CheckedElement& checked) {
+  for (const CheckedCriterion& one : checked.criteria) {
+    if (one.is_defect()) return exit_contradiction;
+  }
+  if (certainly_invalid(checked.decision)) return exit_invalid;
+  return checked.decision.verdict == ElementVerdict::injective ? exit_certified : exit_undecided;
+}
+
+}  // namespace
+
+int explain(const ExplainOptions& options) {
+  const Mesh mesh = read_mesh(options.mesh, read_file(options.mesh), options.read);
+  const std::size_t index = find_element(mesh, options);
+  const Element element = mesh.element(index);
+  std::vector<const Criterion*> all;
+  for (const Criterion& criterion : criteria()) all.push_back(&criterion);
+  const CheckedElement checked = check_element(element, all, options.budget);
+  const Decision& decision = checked.decision;
+  const Forms forms(element);
+
+  std::cout << element_title(options.mesh, mesh, index) << ": " << describe(decision) << '\n';
+  std::cout << (element.rational() ? "rational" : "polynomial") << ", numbers " << name(mesh.numbers) << '\n';
+  print_net(element);
+  std::cout << "verdict: " << name(decision.verdict) << '\n';
+  if (is_regular(decision.verdict) || decision.verdict == ElementVerdict::reversed) {
+    std::cout << "  sign of det J by " << decision.sign_proof << ", " << decision.pieces << " pieces\n";
+  }
+  if (!decision.injectivity_proof.empty())
+    std::cout << "  injective by " << decision.injectivity_proof << '\n';
+  if (!decision.open.empty()) std::cout << "  open: " << decision.open << '\n';
+  if (decision.witness) print_witness("witness", *decision.witness);
+  if (decision.other_witness) print_witness("det J is not negative everywhere", *decision.other_witness);
+  print_signs(forms);
+  std::cout << "bounds of det J\n";
+  SubdivisionOptions narrow;
+  narrow.relative_width = Rational(1, 100);
+  print_bounds(*subdivision(forms, narrow).bounds);
+  print_criteria(checked);
+  return exit_code_of(checked);
+}
+
+}  // namespace bezcert::certify

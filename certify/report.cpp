@@ -1,0 +1,61 @@
+#include "report.hpp"
+
+namespace bezcert::certify {
+namespace {
+
+constexpr std::size_t listed_invalid_elements = 10;
+constexpr std::size_t longest_exact_text = 40;
+
+// Exact if that is short, else decimal: the exact value is in the JSON report and in `explain`.
+std::string determinant_text(const Rational& value) {
+  const std::string exact_text = to_string(value);
+  return exact_text.size() <= longest_exact_text ? "= " + exact_text : "~ " + to_decimal(value);
+}
+
+}  // namespace
+
+void Summary::add(const MeshElement& entry, const CheckedElement& checked) {
+  ++elements;
+  ++by_verdict[static_cast<std::size_t>(checked.decision.verdict)];
+  if (certainly_invalid(checked.decision)) {
+    ++invalid;
+    if (invalid_elements.size() < listed_invalid_elements) invalid_elements.push_back(entry.tag);
+  }
+  for (std::size_t i = 0; i < checked.criteria.size(); ++i) {
+    const CheckedCriterion& one = checked.criteria[i];
+    CriterionCounts& counts = by_criterion[i];
+    ++counts.by_status[static_cast<std::size_t>(one.verdict.status)];
+    if (one.agreement == Agreement::strength_gap) ++counts.strength_gaps;
+    if (one.agreement == Agreement::contradiction) ++counts.contradictions;
+    if (one.is_finding()) ++findings;
+    if (one.is_defect()) ++defects;
+  }
+}
+
+std::string element_title(const std::string& input, const Mesh& mesh, std::size_t index) {
+  const MeshElement& entry = mesh.elements[index];
+  std::string text = input;
+  if (entry.line > 0) text += ":" + std::to_string(entry.line);
+  text += ": element " + std::to_string(entry.tag);
+  if (index < mesh.names.size() && !mesh.names[index].empty()) text += " \"" + mesh.names[index] + "\"";
+  const bool triangle = entry.shape.domain == Domain::triangle;
+  text += triangle ? " (triangle, degree " : " (quadrilateral, degree ";
+  text += std::to_string(entry.shape.p);
+  if (!triangle && entry.shape.p != entry.shape.q) text += "x" + std::to_string(entry.shape.q);
+  return text + ")";
+}
+
+std::string describe(const Decision& decision) {
+  std::string text(name(decision.verdict));
+  if (decision.verdict == ElementVerdict::reversed) text += " (clockwise: det J < 0 everywhere)";
+  if (decision.witness) {
+    text += ", det J " + determinant_text(decision.witness->determinant) + " at " +
+            to_string(decision.witness->parameter);
+  }
+  if (!decision.open.empty()) text += "; open: " + decision.open;
+  return text;
+}
+
+std::string_view name(Numbers numbers) { return numbers == Numbers::binary64 ? "binary64" : "decimal"; }
+
+}  // namespace bezcert::certify

@@ -1,0 +1,60 @@
+// What a check of one mesh adds up to, and the two ways it is written.
+//
+// Both writers get the mesh, then every element in mesh order, then the summary; neither keeps elements.
+#pragma once
+
+#include "bezcert/mesh/mesh.hpp"
+#include "cross_check.hpp"
+
+#include <array>
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+namespace bezcert::certify {
+
+struct CriterionCounts {
+  std::array<std::size_t, 4> by_status{};  ///< in the order of Status
+  std::size_t strength_gaps = 0;
+  std::size_t contradictions = 0;
+};
+
+struct Summary {
+  std::size_t elements = 0;
+  std::array<std::size_t, element_verdicts.size()> by_verdict{};  ///< in the order of element_verdicts
+  std::vector<const Criterion*> criteria;
+  std::vector<CriterionCounts> by_criterion;    ///< in the order of `criteria`
+  std::size_t findings = 0;                     ///< contradictions of claimed criteria
+  std::size_t defects = 0;                      ///< contradictions of sound criteria
+  std::size_t invalid = 0;                      ///< elements that are certainly not certifiable
+  std::vector<std::uint64_t> invalid_elements;  ///< the first few of them
+  double seconds = 0;
+
+  void add(const MeshElement& entry, const CheckedElement& checked);
+  std::size_t count(ElementVerdict verdict) const { return by_verdict[static_cast<std::size_t>(verdict)]; }
+  /// Elements whose last word is still open.
+  std::size_t open() const { return count(ElementVerdict::undecided) + count(ElementVerdict::regular); }
+};
+
+class Report {
+ public:
+  virtual ~Report() = default;
+  virtual void begin(const std::string& input, const std::string& sha256, const Mesh& mesh) = 0;
+  virtual void element(const Mesh& mesh, std::size_t index, const Element& element,
+                       const CheckedElement& checked) = 0;
+  virtual void end(const Mesh& mesh, const Summary& summary) = 0;
+};
+
+std::unique_ptr<Report> make_text_report(std::ostream& stream);
+std::unique_ptr<Report> make_jsonl_report(std::ostream& stream);
+
+/// "mesh.msh:12: element 5 (triangle, degree 2)", with the name if it has one.
+std::string element_title(const std::string& input, const Mesh& mesh, std::size_t index);
+
+/// "folded, det J = -4/5 at (1, 0, 0)".
+std::string describe(const Decision& decision);
+
+std::string_view name(Numbers numbers);
+
+}  // namespace bezcert::certify

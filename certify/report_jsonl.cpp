@@ -1,0 +1,112 @@
+// The JSON Lines report, schema "bezcert.report/1" (docs/report.md).
+#include "report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+
+namespace bezcert::certify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json witness_object(const Witness& witness) {
+  Json parameter = Json::array();
+  for (const Rational& value : witness.parameter) parameter.push_back(to_string(value));
+  return {{"parameter", parameter}, {"det", to_string(witness.determinant)}};
+}
+
+// Paths and names may hold any bytes: what is no UTF-8 is replaced, not thrown at.
+std::string line_of(const Json& object) {
+  return object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+class JsonLinesReport : public Report {
+ public:
+  explicit JsonLinesReport(std::ostream& stream) : stream_(stream) {}
+
+  void begin(const std::string& input, const std::string& sha256, const Mesh& mesh) override {
+    stream_ << line_of({{"schema", "bezcert.report/1"},
+                        {"tool", "bezcert " BEZCERT_VERSION},
+                        {"input", input},
+                        {"sha256", sha256},
+                        {"basis", mesh.basis_name},
+                        {"numbers", name(mesh.numbers)}});
+  }
+
+  void element(const Mesh& mesh, std::size_t index, const Element& element,
+               const CheckedElement& checked) override {
+    const MeshElement& entry = mesh.elements[index];
+    const Decision& decision = checked.decision;
+    Json object;
+    object["element"] = entry.tag;
+    object["line"] = entry.line > 0 ? Json(entry.line) : Json(nullptr);
+    if (index < mesh.names.size() && !mesh.names[index].empty()) object["name"] = mesh.names[index];
+    object["kind"] = kind_name(element);
+    object["degree"] =
+        element.is_triangle() ? Json(entry.shape.p) : Json::array({entry.shape.p, entry.shape.q});
+    object["rational"] = element.rational();
+    object["verdict"] = name(decision.verdict);
+    object["min_det"] = {{"lower", to_string(to_rational(decision.bounds.min_lower))},
+                         {"upper", to_string(to_rational(decision.bounds.min_upper))}};
+    object["witness"] = decision.witness ? witness_object(*decision.witness) : Json(nullptr);
+    if (!decision.open.empty()) object["open"] = decision.open;
+    Json criteria = Json::object();
+    for (const CheckedCriterion& one : checked.criteria)
+      criteria[std::string(one.criterion->name)] = name(one.verdict.status);
+    object["criteria"] = criteria;
+    object["agreement"] = name(checked.agreement);
+    stream_ << line_of(object);
+  }
+
+  void end(const Mesh& mesh, const Summary& summary) override {
+    Json object;
+    object["elements"] = summary.elements;
+    for (const ElementVerdict verdict : element_verdicts) {
+      object["verdicts"][std::string(name(verdict))] = summary.count(verdict);
+    }
+    object["contradictions"] = summary.findings + summary.defects;
+    object["findings"] = summary.findings;
+    object["sound_contradictions"] = summary.defects;
+    Json criteria = Json::object();
+    for (std::size_t i = 0; i < summary.criteria.size(); ++i) {
+      Json one;
+      for (const Status status :
+           {Status::proved, Status::refuted, Status::inconclusive, Status::not_applicable}) {
+        one[std::string(name(status))] = summary.by_criterion[i].by_status[static_cast<std::size_t>(status)];
+      }
+      one["strength_gaps"] = summary.by_criterion[i].strength_gaps;
+      one["contradictions"] = summary.by_criterion[i].contradictions;
+      one["standing"] = name(summary.criteria[i]->standing);
+      criteria[std::string(summary.criteria[i]->name)] = one;
+    }
+    object["criteria"] = criteria;
+    object["mesh"] = mesh_object(summary);
+    object["ignored"] = {
+        {"points", mesh.ignored.points}, {"lines", mesh.ignored.lines}, {"volumes", mesh.ignored.volumes}};
+    object["seconds"] = summary.seconds;
+    stream_ << line_of({{"summary", object}});
+  }
+
+ private:
+  // The mesh as a whole is not decided yet: invalid elements are an obstacle, without them it is open.
+  static Json mesh_object(const Summary& summary) {
+    Json obstacles = Json::array();
+    if (summary.invalid > 0) {
+      obstacles.push_back({{"obstacle", "invalid_element"},
+                           {"count", summary.invalid},
+                           {"elements", summary.invalid_elements}});
+    }
+    return {{"verdict", summary.invalid > 0 ? "invalid_element" : "undecided"}, {"obstacles", obstacles}};
+  }
+
+  std::ostream& stream_;
+};
+
+}  // namespace
+
+std::unique_ptr<Report> make_jsonl_report(std::ostream& stream) {
+  return std::make_unique<JsonLinesReport>(stream);
+}
+
+}  // namespace bezcert::certify
