@@ -12,6 +12,12 @@ std::string determinant_text(const Rational& value) {
   return exact_text.size() <= longest_exact_text ? "= " + exact_text : "~ " + to_decimal(value);
 }
 
+std::string range_text(const BoundaryRange& range) {
+  std::string text = "edge " + std::to_string(range.edge);
+  if (range.lower == range.upper) return text + " at " + to_string(range.lower);
+  return text + " in [" + to_string(range.lower) + ", " + to_string(range.upper) + "]";
+}
+
 }  // namespace
 
 void Summary::add(const MeshElement& entry, const CheckedElement& checked) {
@@ -51,6 +57,10 @@ std::string describe(const Decision& decision) {
   if (decision.witness) {
     text += ", det J " + determinant_text(decision.witness->determinant) + " at " +
             to_string(decision.witness->parameter);
+  }
+  if (decision.overlap) {
+    text += ", det J > 0 but the boundary meets itself: " + range_text(decision.overlap->first) + " and " +
+            range_text(decision.overlap->second);
   }
   if (!decision.open.empty()) text += "; open: " + decision.open;
   return text;

@@ -16,6 +16,11 @@ Json witness_object(const Witness& witness) {
   return {{"parameter", parameter}, {"det", to_string(witness.determinant)}};
 }
 
+// Part of the boundary: an edge (from corner i to the next) and the parameter range on it.
+Json range_object(const BoundaryRange& range) {
+  return {{"edge", range.edge}, {"lower", to_string(range.lower)}, {"upper", to_string(range.upper)}};
+}
+
 // Paths and names may hold any bytes: what is no UTF-8 is replaced, not thrown at.
 std::string line_of(const Json& object) {
   return object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -50,6 +55,10 @@ class JsonLinesReport : public Report {
     object["min_det"] = {{"lower", to_string(to_rational(decision.bounds.min_lower))},
                          {"upper", to_string(to_rational(decision.bounds.min_upper))}};
     object["witness"] = decision.witness ? witness_object(*decision.witness) : Json(nullptr);
+    if (decision.overlap) {
+      object["overlap"] =
+          Json::array({range_object(decision.overlap->first), range_object(decision.overlap->second)});
+    }
     if (!decision.open.empty()) object["open"] = decision.open;
     Json criteria = Json::object();
     for (const CheckedCriterion& one : checked.criteria)

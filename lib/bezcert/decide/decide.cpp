@@ -89,6 +89,30 @@ ElementVerdict verdict_of(const SignSearch& search) {
   return search.zero() ? ElementVerdict::degenerate : ElementVerdict::regular;
 }
 
+// From regular to injective or overlapping, if a proof or an overlap is found.
+void decide_injectivity(const Forms& forms, const Budget& budget, Decision& decision) {
+  if (const auto proof = prove_injective(forms)) {
+    decision.verdict = ElementVerdict::injective;
+    decision.injectivity_proof = *proof;
+    return;
+  }
+  BoundaryResult boundary = examine_boundary(forms, budget.pieces);
+  switch (boundary.status) {
+    case BoundaryStatus::simple:
+      decision.verdict = ElementVerdict::injective;
+      decision.injectivity_proof = "boundary";
+      return;
+    case BoundaryStatus::overlapping:
+      decision.verdict = ElementVerdict::overlapping;
+      decision.overlap = std::move(boundary.overlap);
+      return;
+    case BoundaryStatus::open:
+      decision.open =
+          "budget: boundary pairs " + std::to_string(budget.pieces) + " (det J > 0, injectivity open)";
+      return;
+  }
+}
+
 }  // namespace
 
 std::string_view name(ElementVerdict verdict) {
@@ -142,14 +166,7 @@ Decision decide(const Forms& forms, const Budget& budget) {
     decision.open = "budget: " + search.exhausted();
     if (search.negative()) decision.open += " (folded or reversed)";
   }
-  if (decision.verdict == ElementVerdict::regular) {
-    if (const auto proof = prove_injective(forms)) {
-      decision.verdict = ElementVerdict::injective;
-      decision.injectivity_proof = *proof;
-    } else {
-      decision.open = "injectivity: no sufficient condition holds, the boundary is not examined yet";
-    }
-  }
+  if (decision.verdict == ElementVerdict::regular) decide_injectivity(forms, budget, decision);
   return decision;
 }
 

@@ -7,6 +7,7 @@
 // not suffice). What is open when the budget is spent is `undecided`, never a guess.
 #pragma once
 
+#include "bezcert/decide/boundary.hpp"
 #include "bezcert/element/forms.hpp"
 #include "bezcert/proof/verdict.hpp"
 
@@ -30,9 +31,11 @@ std::string_view name(ElementVerdict verdict);
 bool is_regular(ElementVerdict verdict);
 bool is_invalid(ElementVerdict verdict);
 
-/// Limits of the subdivision, in units that do not depend on the machine.
+/// Limits, in units that do not depend on the machine.
 struct Budget {
+  /// Pieces of the subdivision of N, and pairs of boundary pieces.
   std::size_t pieces = 4096;
+  /// Halvings of the domain for one piece.
   int depth = 96;
 };
 
@@ -43,14 +46,17 @@ struct Decision {
   std::optional<Witness> witness;
   /// folded: a parameter with det J >= 0, so that the element is not reversed.
   std::optional<Witness> other_witness;
+  /// overlapping: two parts of the boundary with a common image point.
+  std::optional<Overlap> overlap;
   /// Proven bounds of min and max det J, as the subdivision left them.
   DeterminantBounds bounds;
-  /// What proved it: "coefficients" or "subdivision" for the sign; for injective also how (injectivity.hpp).
+  /// What proved it: "coefficients" or "subdivision" for the sign; for injective also how
+  /// (injectivity.hpp), or "boundary" (boundary.hpp).
   std::string_view sign_proof;
   std::string_view injectivity_proof;
   /// undecided: the budget that ran out. regular: what is missing for injective.
   std::string open;
-  /// Pieces of the subdivision that were looked at.
+  /// Pieces of the subdivision of N that were looked at.
   std::size_t pieces = 0;
 };
 

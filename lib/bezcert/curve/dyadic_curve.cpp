@@ -1,0 +1,92 @@
+#include "bezcert/curve/dyadic_curve.hpp"
+
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace bezcert {
+namespace {
+
+// De Casteljau at 1/2. Intervals are halved; integers carry 2^degree instead.
+template <class T>
+std::pair<std::vector<T>, std::vector<T>> halve(const std::vector<T>& values) {
+  const std::size_t count = values.size();
+  std::vector<T> left(count);
+  std::vector<T> right = values;
+  for (std::size_t level = 0; level < count; ++level) {
+    left[level] = right[0];
+    if constexpr (!std::is_same_v<T, Interval>) left[level] <<= static_cast<unsigned>(count - 1 - level);
+    for (std::size_t i = 0; i + 1 < count - level; ++i) {
+      right[i] += right[i + 1];
+      if constexpr (std::is_same_v<T, Interval>) right[i] = right[i] * Interval(0.5);
+    }
+  }
+  if constexpr (!std::is_same_v<T, Interval>) {
+    for (std::size_t i = 0; i < count; ++i) right[i] <<= static_cast<unsigned>(i);
+  }
+  return {std::move(left), std::move(right)};
+}
+
+template <class T>
+std::pair<CurveNet<T>, CurveNet<T>> halve(const CurveNet<T>& net) {
+  auto [xl, xr] = halve(net.x);
+  auto [yl, yr] = halve(net.y);
+  auto [wl, wr] = halve(net.w);
+  return {{std::move(xl), std::move(yl), std::move(wl)}, {std::move(xr), std::move(yr), std::move(wr)}};
+}
+
+}  // namespace
+
+DyadicCurve::DyadicCurve(std::optional<CurveNet<Interval>> interval, CurveNet<Integer> exact) {
+  if (exact.size() < 2) throw std::invalid_argument("DyadicCurve: at least two control points");
+  Node root;
+  root.interval = std::move(interval);
+  root.exact = std::move(exact);
+  nodes_.push_back(std::move(root));
+}
+
+Rational DyadicCurve::lower(Piece piece) const {
+  return Rational(nodes_[piece].position) * power_of_two(-nodes_[piece].depth);
+}
+
+Rational DyadicCurve::upper(Piece piece) const {
+  return Rational(Integer(nodes_[piece].position + 1)) * power_of_two(-nodes_[piece].depth);
+}
+
+std::pair<DyadicCurve::Piece, DyadicCurve::Piece> DyadicCurve::halves(Piece piece) {
+  if (nodes_[piece].first_half == 0) {
+    nodes_[piece].first_half = nodes_.size();
+    for (const int second : {0, 1}) {
+      Node child;
+      child.parent = piece;
+      child.depth = nodes_[piece].depth + 1;
+      child.position = nodes_[piece].position * 2 + second;
+      nodes_.push_back(std::move(child));
+    }
+  }
+  return {nodes_[piece].first_half, nodes_[piece].first_half + 1};
+}
+
+const CurveNet<Interval>& DyadicCurve::interval(Piece piece) {
+  Node& node = nodes_[piece];
+  if (!node.interval) {
+    auto [first, second] = halve(interval(node.parent));
+    const Piece at = nodes_[node.parent].first_half;
+    nodes_[at].interval = std::move(first);
+    nodes_[at + 1].interval = std::move(second);
+  }
+  return *node.interval;
+}
+
+const CurveNet<Integer>& DyadicCurve::exact(Piece piece) {
+  Node& node = nodes_[piece];
+  if (!node.exact) {
+    auto [first, second] = halve(exact(node.parent));
+    const Piece at = nodes_[node.parent].first_half;
+    nodes_[at].exact = std::move(first);
+    nodes_[at + 1].exact = std::move(second);
+  }
+  return *node.exact;
+}
+
+}  // namespace bezcert
