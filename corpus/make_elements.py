@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Write the corpus of single elements, after proving every expected verdict in exact arithmetic.
 
-    make_elements.py           write elements/*.bez.json, criteria.tsv, beyond_subdivision.txt, beyond_regular.txt
+    make_elements.py           write elements/*.bez.json, criteria.tsv, beyond_subdivision.txt
     make_elements.py --check   make everything in memory and compare with the files, byte for byte
 
 Python >= 3.9 and its standard library. Nothing here uses the C++ library: exact.py derives everything anew.
@@ -20,7 +20,6 @@ from element_list import ELEMENTS, form
 from exact import CRITERIA, Element, add, bernstein_rows, decide, mul
 
 HERE = Path(__file__).resolve().parent
-TOOL_PROOFS = {"orientation", "hull", "midpoint rule"}
 PROOF_WORDS = {
     "midpoint rule": "polynomial of degree at most 2 (or bilinear) with det J > 0",
     "orientation": "all triples of control points are oriented like their indices",
@@ -104,35 +103,32 @@ def check_squares(element, kind, proof):
 
 
 def prove(entry, element):
-    """Check the expected verdict; return a sentence for `source` and the reasons to be beyond the first tool."""
+    """Check the expected verdict; return a sentence for `source` and why subdivision cannot settle it, if so."""
     expect, proof = entry["expect"], entry["proof"]
     status, witness = subdivide(element)
     beyond_subdivision = "" if status != "open" else (
         "bisection never ends at its zeros" if expect == "degenerate" else "the region of det J < 0 is very thin")
-    beyond_regular = ""
     if proof in ("simple", "simple net"):
         assert simple_net(element) and (proof == "simple net" or exact.simple_boundary(element))
     if expect in ("injective", "reversed"):
         assert status == ("positive" if expect == "injective" else "negative"), status
         proofs = injectivity(element) if expect == "injective" else []
         if expect == "reversed":
-            return "Subdivision proves -det J > 0.", beyond_subdivision, ""
+            return "Subdivision proves -det J > 0.", beyond_subdivision
         assert proofs, "no proof of injectivity"
-        if not TOOL_PROOFS & set(proofs):
-            beyond_regular = f"injective because of: {PROOF_WORDS[proofs[0]]}"
-        return f"Injective: {PROOF_WORDS[proofs[0]]}.", beyond_subdivision, beyond_regular
+        return f"Injective: {PROOF_WORDS[proofs[0]]}.", beyond_subdivision
     if expect == "overlapping":
         assert status == "positive" and at(proof[1]) != at(proof[2])
         assert all(min(at(p)) >= 0 and sum(at(p)) == (1 if element.triangle else 2) for p in proof[1:])
         assert element.image(at(proof[1])) == element.image(at(proof[2]))
-        return "", beyond_subdivision, "two parameters with one image"
+        return "", beyond_subdivision
     if expect == "degenerate":
         if proof:
             assert status == "open", status
             check_squares(element, entry["kind"], proof)
-            return "", beyond_subdivision, ""
+            return "", beyond_subdivision
         assert status == "zero", status
-        return "Bisection ends with coefficients >= 0 on every piece.", "", ""
+        return "Bisection ends with coefficients >= 0 on every piece.", ""
     assert expect == "folded"
     if proof and proof[0] == "negative":
         witness = at(proof[1])
@@ -143,7 +139,7 @@ def prove(entry, element):
     assert value < 0
     shown = str(value) if len(str(value)) < 40 else f"about {float(value):.3g}"
     where = words_at(witness if element.triangle else (witness[1], witness[3]))
-    return f"det J = {shown} at {where}.", beyond_subdivision, ""
+    return f"det J = {shown} at {where}.", beyond_subdivision
 
 
 def document(entry, sentence):
@@ -168,19 +164,17 @@ def document(entry, sentence):
 
 def make():
     """All files as {relative path: text}, and the table of criteria."""
-    files, table, beyond_subdivision, beyond_regular = {}, {}, [], []
+    files, table, beyond_subdivision = {}, {}, []
     for entry in ELEMENTS:
         name = entry["name"]
         assert name not in table, f"{name} twice"
         try:
             element = element_of(entry)
-            sentence, no_subdivision, no_regular = prove(entry, element)
+            sentence, no_subdivision = prove(entry, element)
         except AssertionError as error:
             raise SystemExit(f"{name}: expected {entry['expect']}: {error}")
         if no_subdivision:
             beyond_subdivision.append(f"{name} # {no_subdivision}")
-        if no_regular:
-            beyond_regular.append(f"{name} # {no_regular}")
         table[name] = {criterion: test(element) for criterion, test in CRITERIA.items()}
         regular = entry["expect"] in ("injective", "overlapping")
         assert regular or table[name]["orientation"] != "proved" and table[name]["coefficients"] != "proved", name
@@ -189,9 +183,6 @@ def make():
     files["criteria.tsv"] = "\n".join(["element\tcriterion\tstatus"] + rows) + "\n"
     files["beyond_subdivision.txt"] = "\n".join(
         ["# Dyadic subdivision of N cannot settle these; the true verdict is in the file."] + beyond_subdivision) + "\n"
-    files["beyond_regular.txt"] = "\n".join(
-        ["# det J > 0, but neither orientation, nor the hull of the Jacobian, nor degree 2 proves or refutes injectivity."]
-        + beyond_regular) + "\n"
     return files, table
 
 

@@ -96,7 +96,7 @@ void decide_injectivity(const Forms& forms, const Budget& budget, Decision& deci
     decision.injectivity_proof = *proof;
     return;
   }
-  BoundaryResult boundary = examine_boundary(forms, budget.pieces);
+  BoundaryResult boundary = examine_boundary(forms, budget.boundary_pairs);
   switch (boundary.status) {
     case BoundaryStatus::simple:
       decision.verdict = ElementVerdict::injective;
@@ -108,7 +108,7 @@ void decide_injectivity(const Forms& forms, const Budget& budget, Decision& deci
       return;
     case BoundaryStatus::open:
       decision.open =
-          "budget: boundary pairs " + std::to_string(budget.pieces) + " (det J > 0, injectivity open)";
+          "budget: boundary pairs " + std::to_string(budget.boundary_pairs) + " (det J > 0, injectivity open)";
       return;
   }
 }

@@ -33,8 +33,10 @@ bool is_invalid(ElementVerdict verdict);
 
 /// Limits, in units that do not depend on the machine.
 struct Budget {
-  /// Pieces of the subdivision of N, and pairs of boundary pieces.
+  /// Pieces of the subdivision of N.
   std::size_t pieces = 4096;
+  /// Pairs of boundary pieces compared for injectivity.
+  std::size_t boundary_pairs = 65536;
   /// Halvings of the domain for one piece.
   int depth = 96;
 };

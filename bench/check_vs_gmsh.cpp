@@ -1,0 +1,148 @@
+// Elements per second of the exact decision against gmsh's plugin AnalyseMeshQuality (JacobianDeterminant
+// only, floating point, no guarantee), in one process, one thread and one run.
+//
+//   check_vs_gmsh [TARGET_TRIANGLES]     default 80,000
+//
+// The mesh is made on the spot by gmsh: a plate with 9 holes, triangles of order 2, 3 and 4. What is timed:
+//   gmsh      Plugin(AnalyseMeshQuality), all elements of dimension 2, mesh in memory; its own checks stored
+//   decide    mesh in memory -> Element -> exact decision (the verdict `injective` or a witness)
+//   check     the same with all criteria cross-checked
+//   load      reading the ASCII .msh 4.1 into memory: gmsh::merge, and read_file + read_mesh
+// Each is the best of three. Ratios are ours / gmsh's in elements a second: above 1 we are faster.
+#include "bezcert/io/file.hpp"
+#include "bezcert/io/read.hpp"
+#include "cross_check.hpp"
+
+#include <gmsh.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+
+using namespace bezcert;
+
+namespace {
+
+double best_of_three(const std::function<void()>& work) {
+  double best = 1e300;
+  for (int k = 0; k < 3; ++k) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best;
+}
+
+// A square plate of side 10 with 3 x 3 round holes.
+void make_plate(double size) {
+  gmsh::model::add("plate");
+  const int plate = gmsh::model::occ::addRectangle(0, 0, 0, 10, 10);
+  std::vector<std::pair<int, int>> holes;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      holes.emplace_back(2, gmsh::model::occ::addDisk(2 + 3 * i, 2 + 3 * j, 0, 0.6 + 0.1 * i, 0.6 + 0.1 * i));
+    }
+  }
+  std::vector<std::pair<int, int>> cut;
+  std::vector<std::vector<std::pair<int, int>>> origin;
+  gmsh::model::occ::cut({{2, plate}}, holes, cut, origin);
+  gmsh::model::occ::synchronize();
+  gmsh::option::setNumber("Mesh.MeshSizeMin", size);
+  gmsh::option::setNumber("Mesh.MeshSizeMax", size);
+  gmsh::model::mesh::generate(2);
+}
+
+struct Outcome {
+  std::size_t injective = 0;
+  std::size_t other = 0;
+  std::size_t exact = 0;  // elements that needed exact arithmetic
+};
+
+Outcome decide_all(const Mesh& mesh) {
+  Outcome outcome;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    const Element element = mesh.element(i);
+    const Forms forms(element);
+    ++(decide(forms).verdict == ElementVerdict::injective ? outcome.injective : outcome.other);
+    if (forms.went_exact()) ++outcome.exact;
+  }
+  return outcome;
+}
+
+Outcome check_all(const Mesh& mesh, const std::vector<const Criterion*>& all) {
+  Outcome outcome;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    const certify::CheckedElement checked = certify::check_element(mesh.element(i), all, {});
+    ++(checked.decision.verdict == ElementVerdict::injective ? outcome.injective : outcome.other);
+  }
+  return outcome;
+}
+
+void run_order(int order, const std::string& path) {
+  gmsh::model::mesh::setOrder(order);
+  gmsh::write(path);
+  const double gmsh_check = best_of_three([] {
+    // Plugins keep what they computed for a view: a new run computes again.
+    gmsh::plugin::setNumber("AnalyseMeshQuality", "JacobianDeterminant", 1);
+    gmsh::plugin::setNumber("AnalyseMeshQuality", "IGEMeasure", 0);
+    gmsh::plugin::setNumber("AnalyseMeshQuality", "ICNMeasure", 0);
+    gmsh::plugin::setNumber("AnalyseMeshQuality", "DimensionOfElements", 2);
+    gmsh::plugin::setNumber("AnalyseMeshQuality", "Recompute", 1);
+    gmsh::plugin::run("AnalyseMeshQuality");
+  });
+
+  Mesh mesh;
+  const double our_load = best_of_three([&] { mesh = read_mesh(path, read_file(path)); });
+  Outcome outcome;
+  const double our_decide = best_of_three([&] { outcome = decide_all(mesh); });
+  std::vector<const Criterion*> all;
+  for (const Criterion& criterion : criteria()) all.push_back(&criterion);
+  const double our_check = best_of_three([&] { check_all(mesh, all); });
+
+  std::string current;
+  gmsh::model::getCurrent(current);
+  const double gmsh_load = best_of_three([&] {
+    gmsh::model::add("copy");
+    gmsh::merge(path);
+    gmsh::model::remove();
+  });
+  gmsh::model::setCurrent(current);
+
+  const auto count = static_cast<double>(mesh.elements.size());
+  std::printf("order %d, %zu triangles (%zu injective, %zu other, %zu needed exact arithmetic)\n", order,
+              mesh.elements.size(), outcome.injective, outcome.other, outcome.exact);
+  std::printf("  gmsh AnalyseMeshQuality %10.0f elements/s\n", count / gmsh_check);
+  std::printf("  decide                  %10.0f elements/s   ratio %.2f\n", count / our_decide,
+              gmsh_check / our_decide);
+  std::printf("  check, all criteria     %10.0f elements/s   ratio %.2f\n", count / our_check,
+              gmsh_check / our_check);
+  std::printf("  load: gmsh %.2f s, ours %.2f s                ratio %.2f\n", gmsh_load, our_load,
+              gmsh_load / our_load);
+  std::printf("  load + decide / gmsh's load + check           ratio %.2f\n",
+              (gmsh_load + gmsh_check) / (our_load + our_decide));
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double target = argc > 1 ? std::atof(argv[1]) : 80000;
+  if (!(target >= 100)) {
+    std::cerr << "check_vs_gmsh [TARGET_TRIANGLES]: at least 100\n";
+    return 2;
+  }
+  gmsh::initialize();
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::option::setNumber("General.NumThreads", 1);
+  gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);
+  // The plate without holes has area about 82; an equilateral triangle of side h has area 0.433 h^2.
+  make_plate(std::sqrt(82 / (0.433 * target)));
+  const std::string path = (std::filesystem::temp_directory_path() / "bezcert_check_vs_gmsh.msh").string();
+  for (const int order : {2, 3, 4}) run_order(order, path);
+  std::filesystem::remove(path);
+  gmsh::finalize();
+  return 0;
+}

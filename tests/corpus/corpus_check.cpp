@@ -1,0 +1,178 @@
+// Checks one file of the corpus against what its derivation says: `corpus_check element|mesh CORPUS FILE`.
+//
+// Elements: the verdict in the file and the criteria's statuses in criteria.tsv (both made by
+// corpus/make_elements.py, exact arithmetic in Python). Meshes: the counts and the bad elements in
+// meshes/expected*.tsv (made by corpus/mesh_oracle.py). Prints what differs; exit code 0 or 1.
+#include "bezcert/io/file.hpp"
+#include "bezcert/io/read.hpp"
+#include "cross_check.hpp"
+
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <set>
+#include <sstream>
+
+using namespace bezcert;
+
+namespace {
+
+int failures = 0;
+
+void expect(bool holds, const std::string& what) {
+  if (holds) return;
+  std::cout << "differs: " << what << '\n';
+  ++failures;
+}
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<Row> read_table(const std::string& path) {
+  std::ifstream stream(path);
+  std::string line;
+  std::vector<std::string> header;
+  std::vector<Row> rows;
+  while (std::getline(stream, line)) {
+    std::vector<std::string> cells;
+    std::istringstream cut(line);
+    for (std::string cell; std::getline(cut, cell, '\t');) cells.push_back(cell);
+    if (header.empty()) {
+      header = cells;
+      continue;
+    }
+    Row row;
+    for (std::size_t i = 0; i < cells.size(); ++i) row[header[i]] = cells[i];
+    rows.push_back(row);
+  }
+  if (rows.empty()) throw std::runtime_error(path + " is missing or empty");
+  return rows;
+}
+
+std::set<std::string> read_names(const std::string& path) {
+  std::ifstream stream(path);
+  if (!stream) throw std::runtime_error(path + " is missing");
+  std::set<std::string> names;
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::string name;
+    if (words >> name) names.insert(name);
+  }
+  return names;
+}
+
+std::vector<const Criterion*> all_criteria() {
+  std::vector<const Criterion*> all;
+  for (const Criterion& criterion : criteria()) all.push_back(&criterion);
+  return all;
+}
+
+void check_element(const std::string& corpus, const std::string& file) {
+  const std::string path = corpus + "/" + file;
+  const Mesh mesh = read_mesh(path, read_file(path));
+  expect(mesh.elements.size() == 1, "one element a file");
+  const std::string name = mesh.names.at(0);
+  const std::string expected = mesh.expected.at(0);
+  expect(!expected.empty(), "the file has an expected verdict");
+
+  const Element element = mesh.element(0);
+  const certify::CheckedElement checked = certify::check_element(element, all_criteria(), {});
+  const std::string verdict(bezcert::name(checked.decision.verdict));
+  if (read_names(corpus + "/beyond_subdivision.txt").contains(name)) {
+    // Open until the algebraic decision exists; then the list must shrink.
+    expect(verdict == "undecided",
+           "the verdict is " + verdict + ": no longer beyond subdivision, the truth is " + expected);
+  } else {
+    expect(verdict == expected, "the verdict is " + verdict + ", expected " + expected);
+  }
+
+  const Forms exact_only(element, Filter::off);
+  const Decision unfiltered = decide(exact_only);
+  expect(unfiltered.verdict == checked.decision.verdict,
+         "the verdict without filter is " + std::string(bezcert::name(unfiltered.verdict)));
+
+  std::map<std::string, std::string> statuses;
+  for (const Row& row : read_table(corpus + "/criteria.tsv")) {
+    if (row.at("element") == name) statuses[row.at("criterion")] = row.at("status");
+  }
+  expect(statuses.size() == 4, "criteria.tsv has four rows for the element");
+  for (const certify::CheckedCriterion& one : checked.criteria) {
+    const std::string status(bezcert::name(one.verdict.status));
+    const std::string criterion(one.criterion->name);
+    if (statuses.contains(criterion)) {
+      expect(status == statuses[criterion],
+             criterion + " is " + status + ", expected " + statuses[criterion]);
+    } else {
+      // subdivision: proves what is regular; what is not, it never proves.
+      const bool regular = expected == "injective" || expected == "overlapping";
+      expect((status == "proved") == regular, criterion + " is " + status + " for " + expected);
+    }
+    expect(!one.is_defect(), criterion + " contradicts the decision");
+  }
+}
+
+void check_mesh(const std::string& corpus, const std::string& file) {
+  const std::string path = corpus + "/" + file;
+  const std::string base = file.substr(file.find('/') + 1);
+  const Mesh mesh = read_mesh(path, read_file(path));
+  std::map<std::string, std::size_t> seen;
+  std::map<std::string, std::pair<std::string, DeterminantBounds>> bad;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    const certify::CheckedElement checked = certify::check_element(mesh.element(i), all_criteria(), {});
+    const ElementVerdict verdict = checked.decision.verdict;
+    ++seen["elements"];
+    ++seen[mesh.elements[i].shape.domain == Domain::triangle ? "triangles" : "quadrilaterals"];
+    const std::string word(is_regular(verdict) ? "positive" : name(verdict));
+    ++seen[word];
+    if (word != "positive") bad[std::to_string(mesh.elements[i].tag)] = {word, checked.decision.bounds};
+    for (const auto& one : checked.criteria)
+      expect(!one.is_defect(), std::string(one.criterion->name) + " contradicts");
+  }
+  seen["ignored_points"] = mesh.ignored.points;
+  seen["ignored_lines"] = mesh.ignored.lines;
+  seen["ignored_volumes"] = mesh.ignored.volumes;
+
+  bool listed = false;
+  for (const Row& row : read_table(corpus + "/meshes/expected.tsv")) {
+    if (row.at("file") != base) continue;
+    listed = true;
+    for (const auto& [column, value] : row) {
+      if (column == "file") continue;
+      expect(seen[column] == std::stoul(value),
+             column + " is " + std::to_string(seen[column]) + ", expected " + value);
+    }
+  }
+  expect(listed, "expected.tsv has a row for the mesh");
+  std::size_t bad_listed = 0;
+  for (const Row& row : read_table(corpus + "/meshes/expected_bad.tsv")) {
+    if (row.at("file") != base) continue;
+    ++bad_listed;
+    const auto& [word, bounds] = bad[row.at("element")];
+    expect(word == row.at("class"),
+           "element " + row.at("element") + " is " + word + ", expected " + row.at("class"));
+    // The oracle's minimum is a decimal close to the true one (1e-12 relative): it must not lie below our
+    // bound.
+    const Rational minimum(std::stod(row.at("det_min")));
+    const Rational slack = abs(minimum) / 1000000 + Rational(1, Integer(1) << 60);
+    expect(to_rational(bounds.min_lower) <= minimum + slack,
+           "element " + row.at("element") + ": min_det lower bound too high");
+  }
+  expect(bad_listed == bad.size(), "expected_bad.tsv lists " + std::to_string(bad_listed) +
+                                       " elements, found " + std::to_string(bad.size()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::cerr << "corpus_check element|mesh CORPUS FILE\n";
+    return 2;
+  }
+  const std::string kind = argv[1];
+  if (kind == "element") {
+    check_element(argv[2], argv[3]);
+  } else {
+    check_mesh(argv[2], argv[3]);
+  }
+  if (failures == 0) std::cout << "as expected\n";
+  return failures == 0 ? 0 : 1;
+}
