@@ -100,16 +100,16 @@ JacobianTree::JacobianTree(const Forms& forms) : forms_(forms) {
 }
 
 template <>
-std::optional<JacobianTree::Form<Interval>>& JacobianTree::slot<Interval>(Node& node) {
+auto JacobianTree::slot<Interval>(Node& node) -> std::optional<PieceForm<Interval>>& {
   return node.interval;
 }
 template <>
-std::optional<JacobianTree::Form<Integer>>& JacobianTree::slot<Integer>(Node& node) {
+auto JacobianTree::slot<Integer>(Node& node) -> std::optional<PieceForm<Integer>>& {
   return node.exact;
 }
 
 template <class T>
-JacobianTree::Form<T> JacobianTree::root_form() const {
+auto JacobianTree::root_form() const -> PieceForm<T> {
   if constexpr (std::is_same_v<T, Interval>) {
     return {forms_.interval_jacobian(), 0, 0};
   } else {
@@ -118,7 +118,7 @@ JacobianTree::Form<T> JacobianTree::root_form() const {
 }
 
 template <class T>
-const JacobianTree::Form<T>& JacobianTree::form(Piece piece) {
+auto JacobianTree::form(Piece piece) -> const PieceForm<T>& {
   auto& own = slot<T>(nodes_[piece]);
   if (own) return *own;
   if (piece == root) {
@@ -126,7 +126,7 @@ const JacobianTree::Form<T>& JacobianTree::form(Piece piece) {
     return *own;
   }
   const Node& node = nodes_[piece];
-  const Form<T>& parent = form<T>(node.parent);
+  const PieceForm<T>& parent = form<T>(node.parent);
   const int direction = nodes_[node.parent].depth % 2;
   auto numerators = bisect(parent.numerator, direction);
   auto weights = bisect(parent.weight, direction);
@@ -197,13 +197,13 @@ Parameter JacobianTree::corner(Piece piece, std::size_t corner) const {
 }
 
 template <class T>
-JacobianTree::Extremes<T> JacobianTree::extremes(std::span<const Piece> pieces) {
+auto JacobianTree::extremes(std::span<const Piece> pieces) -> Extremes<T> {
   using Coefficient = std::conditional_t<std::is_same_v<T, Rational>, Integer, Interval>;
   const bool rational = forms_.element().rational();
   Extremes<T> result;
   bool first = true;
   for (const Piece piece : pieces) {
-    const Form<Coefficient>& f = form<Coefficient>(piece);
+    const PieceForm<Coefficient>& f = form<Coefficient>(piece);
     auto [low, high] = coefficient_range<T>(f.numerator, f.numerator_shift);
     std::vector<T> values;
     for (const std::size_t i : corners_)

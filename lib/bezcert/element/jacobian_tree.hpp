@@ -31,6 +31,14 @@ struct DeterminantBounds {
   Dyadic min_lower, min_upper, max_lower, max_upper;
 };
 
+/// N and W on one piece. The coefficients are those of the whole domain's scale times 2^shift: integers are
+/// not divided when a piece is cut.
+template <class T>
+struct PieceForm : JacobianForm<T> {
+  int numerator_shift = 0;
+  int weight_shift = 0;
+};
+
 class JacobianTree {
  public:
   using Piece = std::size_t;
@@ -61,28 +69,22 @@ class JacobianTree {
   DeterminantBounds bounds(const RoundingScope& scope, std::span<const Piece> pieces, int bits = report_bits);
 
  private:
-  // N and W on one piece. The coefficients are those of the root times 2^shift: integers are not divided.
-  template <class T>
-  struct Form : JacobianForm<T> {
-    int numerator_shift = 0;
-    int weight_shift = 0;
-  };
   struct Node {
     Piece parent = 0;
     int depth = 0;
     bool second = false;  // which child of its parent
-    std::optional<Form<Interval>> interval;
-    std::optional<Form<Integer>> exact;
+    std::optional<PieceForm<Interval>> interval;
+    std::optional<PieceForm<Integer>> exact;
   };
   template <class T>
   struct Extremes;
 
   template <class T>
-  static std::optional<Form<T>>& slot(Node& node);
+  static std::optional<PieceForm<T>>& slot(Node& node);
   template <class T>
-  const Form<T>& form(Piece piece);
+  const PieceForm<T>& form(Piece piece);
   template <class T>
-  Form<T> root_form() const;
+  PieceForm<T> root_form() const;
   template <class T>
   Extremes<T> extremes(std::span<const Piece> pieces);
 

@@ -69,7 +69,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (object.find(text) != nullptr) {
       throw InputError(file_, lines_, "the key \"" + text.substr(0, 40) + "\" is repeated");
     }
-    object.members.emplace_back(text, JsonValue{});
+    object.members.push_back({text, JsonValue{}});
     return true;
   }
   bool parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& error) override {
@@ -91,7 +91,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   JsonValue& place() {
     if (open_.empty()) return root;
     JsonValue& parent = *open_.back();
-    if (parent.kind == JsonValue::Kind::object) return parent.members.back().second;
+    if (parent.kind == JsonValue::Kind::object) return parent.members.back().value;
     return parent.items.emplace_back();
   }
   bool scalar(JsonValue::Kind kind, std::string text) {
@@ -126,8 +126,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
 const JsonValue* JsonValue::find(std::string_view key) const {
   const auto found =
-      std::find_if(members.begin(), members.end(), [&](const auto& member) { return member.first == key; });
-  return found == members.end() ? nullptr : &found->second;
+      std::find_if(members.begin(), members.end(), [&](const JsonMember& member) { return member.key == key; });
+  return found == members.end() ? nullptr : &found->value;
 }
 
 std::string_view name(JsonValue::Kind kind) {

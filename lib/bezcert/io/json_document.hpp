@@ -4,10 +4,11 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace bezcert {
+
+struct JsonMember;
 
 struct JsonValue {
   enum class Kind { null, boolean, number, string, array, object };
@@ -15,10 +16,15 @@ struct JsonValue {
   std::size_t line = 0;
   std::string text;                                        ///< of a string, or of a number as written
   std::vector<JsonValue> items;                            ///< of an array
-  std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object, in file order, keys unique
+  std::vector<JsonMember> members;  ///< of an object, in file order, keys unique
 
   /// The member of that key, or nullptr.
   const JsonValue* find(std::string_view key) const;
+};
+
+struct JsonMember {
+  std::string key;
+  JsonValue value;
 };
 
 /// What a value is, for messages: "a string".
