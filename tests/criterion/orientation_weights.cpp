@@ -19,7 +19,7 @@ TEST_CASE("what orientation proves is regular and has a simple boundary for all 
     RawElement raw = random_element(random, {.max_degree = 4, .quadrilaterals = false});
     raw.w.clear();
     const Element polynomial = raw.build();
-    if (orientation_criterion(Forms(polynomial)).status != Status::proved) continue;
+    if (orientation_condition(Forms(polynomial)).status != Status::proved) continue;
     ++proved;
     ++by_degree[static_cast<std::size_t>(raw.shape.p)];
     for (std::size_t k = 0; k < raw.x.size(); ++k) {
@@ -29,7 +29,7 @@ TEST_CASE("what orientation proves is regular and has a simple boundary for all 
     const Element element = raw.build();
     const Forms forms(element);
     INFO("seed " << seed << " case " << i << " " << raw.text());
-    CHECK(orientation_criterion(forms).status == Status::proved);
+    CHECK(orientation_condition(forms).status == Status::proved);
     CHECK(is_regular(decide(forms).verdict));
     // The boundary is examined by other means than the theorem.
     CHECK(examine_boundary(forms, 65536).status == BoundaryStatus::simple);

@@ -30,7 +30,7 @@ Judgement judge(const RawElement& raw) {
   budget.pieces = 400;
   Judgement result{decide(forms, budget).verdict,
                    coefficients(forms).status,
-                   orientation_criterion(forms).status,
+                   orientation_condition(forms).status,
                    subdivision(forms).status,
                    {}};
   const Polynomial<Integer>& n = forms.exact_jacobian().numerator;

@@ -3,7 +3,7 @@
 namespace bezcert {
 
 Verdict coefficients(const Forms& forms) {
-  Verdict verdict{"coefficients", Claim::regular, Status::inconclusive, {}, {}, {}};
+  Verdict verdict = begin_verdict(coefficients_info, Status::inconclusive);
   const RoundingScope scope;
   JacobianTree tree(forms);
   const PieceSigns signs = tree.signs(scope, JacobianTree::root);

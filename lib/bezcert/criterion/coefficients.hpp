@@ -3,12 +3,16 @@
 // then det J > 0. Proof: docs/criteria.md, "coefficients". A corner coefficient <= 0 refutes: it is N there.
 #pragma once
 
-#include "bezcert/element/forms.hpp"
-#include "bezcert/proof/verdict.hpp"
+#include "bezcert/criterion/criterion.hpp"
 
 namespace bezcert {
 
 /// Checks the coefficients of N on the whole element. Applies to every element.
 Verdict coefficients(const Forms& forms);
+
+inline constexpr Criterion coefficients_info{
+    "coefficients", "DOS99, EE20",   "Bernstein coefficients of N >= 0 and corner ones > 0 => det J > 0",
+    Claim::regular, Standing::sound, false,
+    coefficients};
 
 }  // namespace bezcert

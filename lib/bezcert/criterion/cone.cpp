@@ -186,7 +186,7 @@ class EdgeCheck {
 }  // namespace
 
 Verdict cone(const Forms& forms) {
-  Verdict verdict{"cone", Claim::injective, Status::not_applicable, {}, {}, {}};
+  Verdict verdict = begin_verdict(cone_info, Status::not_applicable);
   if (!forms.element().is_triangle()) {
     verdict.reason = "stated for triangles";
     return verdict;

@@ -10,13 +10,20 @@
 //   red cone  the same with p'_i and v'_k.
 #pragma once
 
-#include "bezcert/element/forms.hpp"
-#include "bezcert/proof/verdict.hpp"
+#include "bezcert/criterion/criterion.hpp"
 
 namespace bezcert {
 
 /// Tries each edge as the curve edge; if all fail, `reason` names the failing condition for each edge.
 /// `not_applicable` to quadrilaterals.
 Verdict cone(const Forms& forms);
+
+inline constexpr Criterion cone_info{"cone",
+                                     "KMC22 Theorem 1 with Definition 5",
+                                     "the five conditions on a guardable curve edge => injective",
+                                     Claim::injective,
+                                     Standing::claimed,
+                                     true,
+                                     cone};
 
 }  // namespace bezcert

@@ -5,7 +5,7 @@
 namespace bezcert {
 
 Verdict control_net(const Forms& forms) {
-  Verdict verdict{"control-net", Claim::regular, Status::not_applicable, {}, {}, {}};
+  Verdict verdict = begin_verdict(control_net_info, Status::not_applicable);
   const Element& element = forms.element();
   if (!element.is_triangle()) {
     verdict.reason = "stated for triangles";

@@ -5,12 +5,20 @@
 // docs/criteria.md and corpus/. Kept because meshers use it: `claimed`.
 #pragma once
 
-#include "bezcert/element/forms.hpp"
-#include "bezcert/proof/verdict.hpp"
+#include "bezcert/criterion/criterion.hpp"
 
 namespace bezcert {
 
 /// Checks every upright control triangle. `not_applicable` to quadrilaterals and to unequal weights.
 Verdict control_net(const Forms& forms);
+
+inline constexpr Criterion control_net_info{
+    "control-net",
+    "XC15 Theorem 2.1, for any degree",
+    "every upright control triangle is counter-clockwise => det J > 0 (polynomial triangles)",
+    Claim::regular,
+    Standing::claimed,
+    true,
+    control_net};
 
 }  // namespace bezcert

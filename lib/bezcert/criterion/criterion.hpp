@@ -1,6 +1,7 @@
 // The published conditions under test: what each claims, where it stands, how it is checked.
 //
-// Adding a criterion means one file with a function of type `Check` and one line in registry.cpp.
+// Adding a criterion means one file pair, whose header ends with the criterion's `Criterion`, and one line in
+// registry.cpp.
 #pragma once
 
 #include "bezcert/element/forms.hpp"
@@ -30,6 +31,15 @@ struct Criterion {
   bool refuted;
   Check check;
 };
+
+/// The verdict that a check starts from: the criterion's name and claim, no evidence yet.
+inline Verdict begin_verdict(const Criterion& criterion, Status status) {
+  Verdict verdict;
+  verdict.criterion = criterion.name;
+  verdict.claim = criterion.claim;
+  verdict.status = status;
+  return verdict;
+}
 
 /// All criteria, in the order of reports.
 std::span<const Criterion> criteria();

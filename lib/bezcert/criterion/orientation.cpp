@@ -14,8 +14,8 @@ int index_orientation(const Exponents& a, const Exponents& b, const Exponents& c
 
 }  // namespace
 
-Verdict orientation_criterion(const Forms& forms) {
-  Verdict verdict{"orientation", Claim::injective, Status::not_applicable, {}, {}, {}};
+Verdict orientation_condition(const Forms& forms) {
+  Verdict verdict = begin_verdict(orientation_info, Status::not_applicable);
   if (!forms.element().is_triangle()) {
     verdict.reason = "stated for triangles";
     return verdict;

@@ -4,12 +4,20 @@
 // positive weights, and it even makes the map injective. Proof of both: docs/criteria.md, "orientation".
 #pragma once
 
-#include "bezcert/element/forms.hpp"
-#include "bezcert/proof/verdict.hpp"
+#include "bezcert/criterion/criterion.hpp"
 
 namespace bezcert {
 
 /// Checks all non-collinear triples: O(degree^6). `not_applicable` to quadrilaterals.
-Verdict orientation_criterion(const Forms& forms);
+Verdict orientation_condition(const Forms& forms);
+
+inline constexpr Criterion orientation_info{
+    "orientation",
+    "YLC22 Theorem 1",
+    "every triple of control points is oriented like its indices => injective, for all positive weights",
+    Claim::injective,
+    Standing::sound,
+    false,
+    orientation_condition};
 
 }  // namespace bezcert

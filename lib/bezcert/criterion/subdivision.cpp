@@ -117,7 +117,7 @@ class Search {
 
 Verdict subdivision(const Forms& forms, const SubdivisionOptions& options) {
   if (options.relative_width <= 0) throw std::invalid_argument("subdivision: the width must be positive");
-  Verdict verdict{"subdivision", Claim::regular, Status::inconclusive, {}, {}, {}};
+  Verdict verdict = begin_verdict(subdivision_info, Status::inconclusive);
   Search search(forms, options);
   search.run();
   verdict.bounds = search.bounds();

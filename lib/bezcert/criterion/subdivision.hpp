@@ -4,8 +4,7 @@
 // coefficients over the pieces bound min det J and max det J from both sides. Proof: docs/criteria.md.
 #pragma once
 
-#include "bezcert/element/forms.hpp"
-#include "bezcert/proof/verdict.hpp"
+#include "bezcert/criterion/criterion.hpp"
 
 namespace bezcert {
 
@@ -19,5 +18,14 @@ struct SubdivisionOptions {
 
 /// Applies to every element; sets `bounds`. Throws std::invalid_argument if the width is not positive.
 Verdict subdivision(const Forms& forms, const SubdivisionOptions& options = {});
+
+inline constexpr Criterion subdivision_info{
+    "subdivision",
+    "adaptive Bernstein subdivision",
+    "the coefficient condition on every piece of a subdivision => det J > 0, with bounds of det J",
+    Claim::regular,
+    Standing::sound,
+    false,
+    [](const Forms& forms) { return subdivision(forms); }};
 
 }  // namespace bezcert

@@ -108,7 +108,7 @@ std::optional<std::string_view> prove_injective(const Forms& forms) {
   if (derivative_is_affine_on_segments(forms.element())) return "midpoint";
   const RoundingScope scope;
   if (jacobian_hull(forms, scope)) return "jacobian_hull";
-  if (orientation_criterion(forms).status == Status::proved) return "orientation";
+  if (orientation_condition(forms).status == Status::proved) return "orientation";
   return std::nullopt;
 }
 
