@@ -1,26 +1,10 @@
 #include "bezcert/criterion/cone.hpp"
 
 #include "bezcert/criterion/triangle_index.hpp"
+#include "bezcert/curve/vector.hpp"
 
 namespace bezcert {
 namespace {
-
-template <class T>
-struct Vec {
-  T x, y;
-};
-template <class T>
-Vec<T> operator-(const Vec<T>& a, const Vec<T>& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-template <class T>
-T cross(const Vec<T>& a, const Vec<T>& b) {
-  return a.x * b.y - a.y * b.x;
-}
-template <class T>
-T dot(const Vec<T>& a, const Vec<T>& b) {
-  return a.x * b.x + a.y * b.y;
-}
 
 // The net as seen from one edge. Vectors come multiplied by positive factors: homogeneous coordinates are
 // X = w p, and omega is the weight of the tip. Every method is an expression in +, -, * over T.
@@ -39,38 +23,40 @@ class EdgeView {
     e[(edge_ + 2) % 3] = i;
     return triangle_index(degree(), e);
   }
-  Vec<T> homogeneous(int i, int j) const { return {net_.x[index(i, j)], net_.y[index(i, j)]}; }
+  Vector2<T> homogeneous(int i, int j) const { return {net_.x[index(i, j)], net_.y[index(i, j)]}; }
   T weight(int i, int j) const { return net_.rational() ? net_.w[index(i, j)] : T(1); }
   T tip_weight() const { return weight(degree(), 0); }
 
   // w_a w_b (p_b - p_a) for any two control points.
-  Vec<T> between(int ai, int aj, int bi, int bj) const {
-    const Vec<T> a = homogeneous(ai, aj);
-    const Vec<T> b = homogeneous(bi, bj);
+  Vector2<T> between(int ai, int aj, int bi, int bj) const {
+    const Vector2<T> a = homogeneous(ai, aj);
+    const Vector2<T> b = homogeneous(bi, bj);
     if (!net_.rational()) return b - a;
     const T wa = weight(ai, aj);
     const T wb = weight(bi, bj);
     return {b.x * wa - a.x * wb, b.y * wa - a.y * wb};
   }
-  Vec<T> control_vector(int k) const { return between(0, k, 0, k + 1); }
-  Vec<T> direction() const { return degree() == 1 ? between(0, 0, 0, 1) : between(1, 0, 1, degree() - 1); }
+  Vector2<T> control_vector(int k) const { return between(0, k, 0, k + 1); }
+  Vector2<T> direction() const {
+    return degree() == 1 ? between(0, 0, 0, 1) : between(1, 0, 1, degree() - 1);
+  }
 
   // 2 omega^2 p'_i = (omega - W_i)(X_0 + X_n) + 2 omega X_i, as both ends have weight omega.
-  Vec<T> auxiliary(int i) const {
-    const Vec<T> first = homogeneous(0, 0);
-    const Vec<T> last = homogeneous(0, degree());
-    const Vec<T> point = homogeneous(0, i);
+  Vector2<T> auxiliary(int i) const {
+    const Vector2<T> first = homogeneous(0, 0);
+    const Vector2<T> last = homogeneous(0, degree());
+    const Vector2<T> point = homogeneous(0, i);
     const T omega = tip_weight();
     const T missing = omega - weight(0, i);
     const T twice = T(2) * omega;
     return {missing * (first.x + last.x) + twice * point.x, missing * (first.y + last.y) + twice * point.y};
   }
-  Vec<T> auxiliary_vector(int k) const { return auxiliary(k + 1) - auxiliary(k); }
+  Vector2<T> auxiliary_vector(int k) const { return auxiliary(k + 1) - auxiliary(k); }
   // 2 omega^2 (p_1i - p'_i).
-  Vec<T> from_auxiliary(int i) const {
-    const Vec<T> point = homogeneous(1, i);
+  Vector2<T> from_auxiliary(int i) const {
+    const Vector2<T> point = homogeneous(1, i);
     const T twice = T(2) * tip_weight();
-    return Vec<T>{twice * point.x, twice * point.y} - auxiliary(i);
+    return Vector2<T>{twice * point.x, twice * point.y} - auxiliary(i);
   }
 
  private:

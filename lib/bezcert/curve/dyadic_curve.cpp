@@ -67,26 +67,19 @@ std::pair<DyadicCurve::Piece, DyadicCurve::Piece> DyadicCurve::halves(Piece piec
   return {nodes_[piece].first_half, nodes_[piece].first_half + 1};
 }
 
-const CurveNet<Interval>& DyadicCurve::interval(Piece piece) {
+template <class T>
+const CurveNet<T>& DyadicCurve::net(std::optional<CurveNet<T>> Node::*form, Piece piece) {
   Node& node = nodes_[piece];
-  if (!node.interval) {
-    auto [first, second] = halve(interval(node.parent));
+  if (!(node.*form)) {
+    auto [first, second] = halve(net(form, node.parent));
     const Piece at = nodes_[node.parent].first_half;
-    nodes_[at].interval = std::move(first);
-    nodes_[at + 1].interval = std::move(second);
+    nodes_[at].*form = std::move(first);
+    nodes_[at + 1].*form = std::move(second);
   }
-  return *node.interval;
+  return *(node.*form);
 }
 
-const CurveNet<Integer>& DyadicCurve::exact(Piece piece) {
-  Node& node = nodes_[piece];
-  if (!node.exact) {
-    auto [first, second] = halve(exact(node.parent));
-    const Piece at = nodes_[node.parent].first_half;
-    nodes_[at].exact = std::move(first);
-    nodes_[at + 1].exact = std::move(second);
-  }
-  return *node.exact;
-}
+const CurveNet<Interval>& DyadicCurve::interval(Piece piece) { return net(&Node::interval, piece); }
+const CurveNet<Integer>& DyadicCurve::exact(Piece piece) { return net(&Node::exact, piece); }
 
 }  // namespace bezcert

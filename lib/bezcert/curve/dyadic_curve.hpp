@@ -62,6 +62,9 @@ class DyadicCurve {
     std::optional<CurveNet<Integer>> exact;
   };
 
+  template <class T>
+  const CurveNet<T>& net(std::optional<CurveNet<T>> Node::*form, Piece piece);
+
   std::deque<Node> nodes_;
 };
 

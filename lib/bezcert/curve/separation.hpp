@@ -5,36 +5,23 @@
 #pragma once
 
 #include "bezcert/curve/dyadic_curve.hpp"
+#include "bezcert/curve/vector.hpp"
 
 namespace bezcert {
 
-template <class T>
-struct CurveVector {
-  T x, y;
-};
-
-template <class T>
-T cross(const CurveVector<T>& a, const CurveVector<T>& b) {
-  return a.x * b.y - a.y * b.x;
-}
-template <class T>
-T dot(const CurveVector<T>& a, const CurveVector<T>& b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 /// From control point i of a to control point j of b, times their weights.
 template <class T>
-CurveVector<T> between(const CurveNet<T>& a, std::size_t i, const CurveNet<T>& b, std::size_t j) {
+Vector2<T> between(const CurveNet<T>& a, std::size_t i, const CurveNet<T>& b, std::size_t j) {
   return {b.x[j] * a.w[i] - a.x[i] * b.w[j], b.y[j] * a.w[i] - a.y[i] * b.w[j]};
 }
 
 /// Whether some line through the origin has all vectors strictly on one side: one of them has all others
 /// to its left within less than half a turn.
 template <class T>
-bool in_open_half_plane(const std::vector<CurveVector<T>>& vectors) {
-  for (const CurveVector<T>& first : vectors) {
+bool in_open_half_plane(const std::vector<Vector2<T>>& vectors) {
+  for (const Vector2<T>& first : vectors) {
     bool is_first = sign_of(dot(first, first)) > 0;
-    for (const CurveVector<T>& other : vectors) {
+    for (const Vector2<T>& other : vectors) {
       if (!is_first) break;
       if (&other == &first) continue;
       const int turn = sign_of(cross(first, other));
@@ -49,7 +36,7 @@ bool in_open_half_plane(const std::vector<CurveVector<T>>& vectors) {
 /// an open half-plane. (c'(t) is a positive combination of p_j - p_i, i < j, sums of control vectors.)
 template <class T>
 bool is_monotone(const CurveNet<T>& a) {
-  std::vector<CurveVector<T>> vectors;
+  std::vector<Vector2<T>> vectors;
   for (std::size_t i = 0; i + 1 < a.size(); ++i) vectors.push_back(between(a, i, a, i + 1));
   return in_open_half_plane(vectors);
 }
@@ -58,7 +45,7 @@ bool is_monotone(const CurveNet<T>& a) {
 /// rest of b strictly on the other: they meet nowhere else.
 template <class T>
 bool part_at_joint(const CurveNet<T>& a, const CurveNet<T>& b) {
-  std::vector<CurveVector<T>> vectors;
+  std::vector<Vector2<T>> vectors;
   for (std::size_t i = 0; i + 1 < a.size(); ++i) vectors.push_back(between(a, i, b, 0));
   for (std::size_t j = 1; j < b.size(); ++j) vectors.push_back(between(b, 0, b, j));
   return in_open_half_plane(vectors);
@@ -71,7 +58,7 @@ bool side_separates(const CurveNet<T>& a, const CurveNet<T>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < a.size(); ++j) {
       if (i == j) continue;
-      const CurveVector<T> side = between(a, i, a, j);
+      const Vector2<T> side = between(a, i, a, j);
       bool separates = true;
       for (std::size_t k = 0; k < b.size() && separates; ++k) {
         separates = sign_of(cross(side, between(a, i, b, k))) < 0;
@@ -88,7 +75,7 @@ bool side_separates(const CurveNet<T>& a, const CurveNet<T>& b) {
 /// Whether an end point of a is an end point of b.
 template <class T>
 bool ends_meet(const CurveNet<T>& a, std::size_t end_a, const CurveNet<T>& b, std::size_t end_b) {
-  const CurveVector<T> gap = between(a, end_a, b, end_b);
+  const Vector2<T> gap = between(a, end_a, b, end_b);
   return sign_of(gap.x) == 0 && sign_of(gap.y) == 0;
 }
 
@@ -99,7 +86,7 @@ bool ends_meet(const CurveNet<T>& a, std::size_t end_a, const CurveNet<T>& b, st
 template <class T>
 bool certainly_crosses(const CurveNet<T>& a, const CurveNet<T>& b) {
   const std::size_t last = a.size() - 1;
-  const CurveVector<T> t = between(a, 0, a, last);
+  const Vector2<T> t = between(a, 0, a, last);
   for (std::size_t i = 0; i < last; ++i) {
     if (sign_of(dot(t, between(a, i, a, i + 1))) <= 0) return false;
   }

@@ -107,8 +107,8 @@ void decide_injectivity(const Forms& forms, const Budget& budget, Decision& deci
       decision.overlap = std::move(boundary.overlap);
       return;
     case BoundaryStatus::open:
-      decision.open =
-          "budget: boundary pairs " + std::to_string(budget.boundary_pairs) + " (det J > 0, injectivity open)";
+      decision.open = "budget: boundary pairs " + std::to_string(budget.boundary_pairs) +
+                      " (det J > 0, injectivity open)";
       return;
   }
 }

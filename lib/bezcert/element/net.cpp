@@ -28,6 +28,17 @@ void change_basis(const BasisChange& change, std::vector<T>& values) {
   values = std::move(result);
 }
 
+// Nodal values to control points, multiplied by a positive integer. Returns the integer that X / W is
+// multiplied by: of homogeneous coordinates all three are, and it cancels.
+template <class T>
+Integer to_bernstein(Net<T>& net) {
+  const BasisChange& change = lagrange_to_bernstein(net.shape);
+  change_basis(change, net.x);
+  change_basis(change, net.y);
+  change_basis(change, net.w);
+  return net.rational() ? Integer(1) : change.denominator;
+}
+
 template <class T>
 void make_homogeneous(Net<T>& net) {
   for (std::size_t i = 0; i < net.w.size(); ++i) {
@@ -112,14 +123,7 @@ IntervalNet interval_net(const Element& element) {
     multiply_all(net.w, normalizing_factor(largest_magnitude(net.w)));
     make_homogeneous(net);
   }
-  if (element.basis() == Basis::lagrange) {
-    const BasisChange& change = lagrange_to_bernstein(element.shape());
-    change_basis(change, net.x);
-    change_basis(change, net.y);
-    change_basis(change, net.w);
-    // Homogeneous coordinates are all multiplied by the denominator, which then cancels in X / W.
-    if (!net.rational()) result.scale = result.scale / to_interval(change.denominator);
-  }
+  if (element.basis() == Basis::lagrange) result.scale = result.scale / to_interval(to_bernstein(net));
   return result;
 }
 
@@ -136,13 +140,7 @@ ExactNet exact_net(const Element& element) {
     net.w = element.weights().scaled().values;
     make_homogeneous(net);
   }
-  if (element.basis() == Basis::lagrange) {
-    const BasisChange& change = lagrange_to_bernstein(element.shape());
-    change_basis(change, net.x);
-    change_basis(change, net.y);
-    change_basis(change, net.w);
-    if (!net.rational()) result.scale /= Rational(change.denominator);
-  }
+  if (element.basis() == Basis::lagrange) result.scale /= Rational(to_bernstein(net));
   return result;
 }
 

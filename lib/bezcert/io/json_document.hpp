@@ -14,8 +14,8 @@ struct JsonValue {
   enum class Kind { null, boolean, number, string, array, object };
   Kind kind = Kind::null;
   std::size_t line = 0;
-  std::string text;                                        ///< of a string, or of a number as written
-  std::vector<JsonValue> items;                            ///< of an array
+  std::string text;                 ///< of a string, or of a number as written
+  std::vector<JsonValue> items;     ///< of an array
   std::vector<JsonMember> members;  ///< of an object, in file order, keys unique
 
   /// The member of that key, or nullptr.
