@@ -61,7 +61,7 @@ void add_read_options(CLI::App& command, ReadOptions& options) {
 
 void add_budget(CLI::App& command, Budget& budget) {
   command.add_option("--budget", budget.pieces, "pieces of the subdivision of one element (default 4096)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000000}))
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
       ->option_text("PIECES");
 }
 

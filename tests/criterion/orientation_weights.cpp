@@ -32,7 +32,7 @@ TEST_CASE("what orientation proves is regular and has a simple boundary for all 
     CHECK(orientation_condition(forms).status == Status::proved);
     CHECK(is_regular(decide(forms).verdict));
     // The boundary is examined by other means than the theorem.
-    CHECK(examine_boundary(forms, 65536).status == BoundaryStatus::simple);
+    CHECK(examine_boundary(forms).status == BoundaryStatus::simple);
   }
   INFO("seed " << seed);
   CHECK(proved >= 300);

@@ -59,18 +59,27 @@ class BoundarySearch {
     }
   }
 
-  BoundaryResult run(std::size_t budget) {
+  BoundaryResult run(const BoundaryBudget& budget) {
+    bool too_deep = false;
     for (std::size_t looked = 0; !tasks_.empty(); ++looked) {
-      if (looked == budget) return {BoundaryStatus::open, {}};
+      if (looked == budget.pairs) {
+        return {BoundaryStatus::open, {}, "boundary pairs " + std::to_string(budget.pairs)};
+      }
       const Task task = tasks_.front();
       tasks_.pop();
       if (settled(task)) continue;
       if (task.relation == Relation::apart) {
-        if (auto overlap = find_overlap(task)) return {BoundaryStatus::overlapping, std::move(overlap)};
+        if (auto overlap = find_overlap(task)) return {BoundaryStatus::overlapping, std::move(overlap), {}};
+      }
+      // An overlap may still show elsewhere: the other pairs are looked at all the same.
+      if (depth(task.a) >= budget.depth && depth(task.b) >= budget.depth) {
+        too_deep = true;
+        continue;
       }
       split(task);
     }
-    return {BoundaryStatus::simple, {}};
+    if (too_deep) return {BoundaryStatus::open, {}, "boundary depth " + std::to_string(budget.depth)};
+    return {BoundaryStatus::simple, {}, {}};
   }
 
  private:
@@ -101,6 +110,8 @@ class BoundarySearch {
     return holds(task.a, task.b,
                  [](const auto& a, const auto& b) { return side_separates(a, b) || side_separates(b, a); });
   }
+
+  int depth(const Place& place) const { return curves_[place.edge].depth(place.piece); }
 
   std::optional<Overlap> find_overlap(const Task& task) {
     for (const bool end_of_a : {false, true}) {
@@ -167,7 +178,7 @@ class BoundarySearch {
 
 }  // namespace
 
-BoundaryResult examine_boundary(const Forms& forms, std::size_t budget) {
+BoundaryResult examine_boundary(const Forms& forms, const BoundaryBudget& budget) {
   const RoundingScope scope;
   return BoundarySearch(forms).run(budget);
 }

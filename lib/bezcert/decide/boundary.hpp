@@ -10,6 +10,7 @@
 #include "bezcert/element/forms.hpp"
 
 #include <optional>
+#include <string>
 
 namespace bezcert {
 
@@ -30,10 +31,18 @@ enum class BoundaryStatus { simple, overlapping, open };
 struct BoundaryResult {
   BoundaryStatus status = BoundaryStatus::open;
   std::optional<Overlap> overlap;  ///< set if overlapping
+  std::string exhausted;           ///< set if open: the budget that ran out
 };
 
-/// Looks at no more than `budget` pairs of pieces. Precondition: the element is regular.
-BoundaryResult examine_boundary(const Forms& forms, std::size_t budget);
+struct BoundaryBudget {
+  /// Pairs of pieces compared.
+  std::size_t pairs = 65536;
+  /// Halvings of an edge for one piece: coordinates grow by the degree in bits with each.
+  int depth = 96;
+};
+
+/// Precondition: the element is regular.
+BoundaryResult examine_boundary(const Forms& forms, const BoundaryBudget& budget = {});
 
 /// The point of the domain at parameter t of an edge.
 Parameter boundary_parameter(const Element& element, int edge, const Rational& t);

@@ -96,7 +96,7 @@ void decide_injectivity(const Forms& forms, const Budget& budget, Decision& deci
     decision.injectivity_proof = *proof;
     return;
   }
-  BoundaryResult boundary = examine_boundary(forms, budget.boundary_pairs);
+  BoundaryResult boundary = examine_boundary(forms, budget.boundary);
   switch (boundary.status) {
     case BoundaryStatus::simple:
       decision.verdict = ElementVerdict::injective;
@@ -107,8 +107,7 @@ void decide_injectivity(const Forms& forms, const Budget& budget, Decision& deci
       decision.overlap = std::move(boundary.overlap);
       return;
     case BoundaryStatus::open:
-      decision.open = "budget: boundary pairs " + std::to_string(budget.boundary_pairs) +
-                      " (det J > 0, injectivity open)";
+      decision.open = "budget: " + boundary.exhausted + " (det J > 0, injectivity open)";
       return;
   }
 }

@@ -35,8 +35,7 @@ bool is_invalid(ElementVerdict verdict);
 struct Budget {
   /// Pieces of the subdivision of N.
   std::size_t pieces = 4096;
-  /// Pairs of boundary pieces compared for injectivity.
-  std::size_t boundary_pairs = 65536;
+  BoundaryBudget boundary;
   /// Halvings of the domain for one piece.
   int depth = 96;
 };
