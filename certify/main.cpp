@@ -6,7 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
+#include <map>
+#include <new>
 
 namespace bezcert::certify {
 namespace {
@@ -48,13 +51,13 @@ void add_read_options(CLI::App& command, ReadOptions& options) {
   command
       .add_option("--basis", options.basis,
                   "what the points of a .msh are: lagrange nodes (default) or bernstein control points")
-      ->transform(CLI::Transformer(
+      ->transform(CLI::CheckedTransformer(
           std::map<std::string, Basis>{{"lagrange", Basis::lagrange}, {"bernstein", Basis::bernstein}}))
       ->option_text("lagrange|bernstein");
   command
       .add_option("--numbers", options.numbers,
                   "what text coordinates of a .msh mean: the nearest double (default) or their decimal value")
-      ->transform(CLI::Transformer(
+      ->transform(CLI::CheckedTransformer(
           std::map<std::string, Numbers>{{"binary64", Numbers::binary64}, {"decimal", Numbers::decimal}}))
       ->option_text("binary64|decimal");
 }
@@ -112,7 +115,12 @@ int run(int argc, char** argv) {
     check_options.criteria = chosen_criteria(criteria_text);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::cerr << "certify: " << error.what() << " (certify --help lists the options)\n";
+    std::string what = error.what();
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    const bool no_command =
+        dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && app.get_subcommands().empty();
+    if (no_command) what = "a subcommand is required: check MESH..., explain MESH --element N, or criteria";
+    std::cerr << "certify: " << what << " (certify --help lists the options)\n";
     return exit_input_error;
   }
   check_options.fail_on_undecided = fail_on == "undecided";
@@ -127,6 +135,9 @@ int main(int argc, char** argv) {
   try {
     std::ios::sync_with_stdio(false);
     return bezcert::certify::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "certify: out of memory: expected a smaller mesh, degree or --budget\n";
+    return bezcert::certify::exit_input_error;
   } catch (const bezcert::InputError& error) {
     std::cout.flush();
     std::cerr << error.what() << '\n';

@@ -1,5 +1,7 @@
 #include "report.hpp"
 
+#include "bezcert/io/printable.hpp"
+
 namespace bezcert::certify {
 namespace {
 
@@ -43,7 +45,8 @@ std::string element_title(const std::string& input, const Mesh& mesh, std::size_
   std::string text = input;
   if (entry.line > 0) text += ":" + std::to_string(entry.line);
   text += ": element " + std::to_string(entry.tag);
-  if (index < mesh.names.size() && !mesh.names[index].empty()) text += " \"" + mesh.names[index] + "\"";
+  if (index < mesh.names.size() && !mesh.names[index].empty())
+    text += " \"" + printable(mesh.names[index], 80) + "\"";
   const bool triangle = entry.shape.domain == Domain::triangle;
   text += triangle ? " (triangle, degree " : " (quadrilateral, degree ";
   text += std::to_string(entry.shape.p);

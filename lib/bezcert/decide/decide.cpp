@@ -44,6 +44,20 @@ class SignSearch {
   const std::string& exhausted() const { return exhausted_; }
   const JacobianTree& tree() const { return tree_; }
 
+  // Cuts pieces whose smallest coefficient is 0 although N > 0 there, so that the lower bound says so too.
+  // Precondition: det J > 0 is proved. Ends because the coefficients converge to N.
+  void raise_lower_bound() {
+    for (std::size_t i = 0; i < settled_.size() && tree_.piece_count() + 2 <= budget_.pieces;) {
+      if (sign(tree_.bounds(scope_, {&settled_[i], 1}).min_lower) > 0) {
+        ++i;
+        continue;
+      }
+      const auto [first, second] = tree_.split(settled_[i]);
+      settled_[i] = first;
+      settled_.push_back(second);
+    }
+  }
+
   DeterminantBounds bounds() {
     std::vector<JacobianTree::Piece> leaves(settled_);
     leaves.insert(leaves.end(), open_.begin() + static_cast<std::ptrdiff_t>(done_), open_.end());
@@ -143,8 +157,12 @@ Decision decide(const Forms& forms, const Budget& budget) {
 
   Decision decision;
   decision.verdict = verdict_of(search);
-  decision.bounds = search.bounds();
   decision.pieces = search.tree().piece_count();
+  decision.bounds = search.bounds();
+  if (decision.verdict == ElementVerdict::regular && sign(decision.bounds.min_lower) <= 0) {
+    search.raise_lower_bound();
+    decision.bounds = search.bounds();
+  }
   decision.sign_proof = decision.pieces == 1 ? "coefficients" : "subdivision";
   const auto witness_at = [&](const CornerOfPiece& place, int expected) {
     Witness witness = make_witness(forms.element(), search.tree().corner(place.piece, place.corner));

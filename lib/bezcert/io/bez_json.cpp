@@ -2,6 +2,7 @@
 
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/io/json_document.hpp"
+#include "bezcert/io/printable.hpp"
 #include "bezcert/number/parse.hpp"
 
 #include <nlohmann/json.hpp>
@@ -55,7 +56,7 @@ class Reader {
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
       std::string list;
       for (const std::string_view k : known) list += (list.empty() ? "" : ", ") + std::string(k);
-      fail(value, "the key \"" + key.substr(0, 40) + "\" is not known: expected one of " + list);
+      fail(value, "the key \"" + printable(key) + "\" is not known: expected one of " + list);
     }
   }
 
@@ -253,7 +254,10 @@ class Reader {
       try {
         mesh_.element(i);
       } catch (const std::invalid_argument& error) {
-        throw InputError(file_, mesh_.elements[i].line, error.what());
+        throw InputError(
+            file_, mesh_.elements[i].line,
+            "element " + std::to_string(mesh_.elements[i].tag) + ": " + error.what() +
+                "; expected an element with a positive control net (degree elevation may give one)");
       }
     }
   }

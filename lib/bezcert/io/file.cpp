@@ -47,19 +47,35 @@ std::string sha256(std::string_view bytes) {
 }
 
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
+  namespace fs = std::filesystem;
+  std::error_code error;
+  // A link stands for what it points at; only regular files are replaced, a pipe or device is written to.
+  const fs::path target = fs::exists(path, error) ? fs::canonical(path, error) : fs::path(path);
+  if (error) throw InputError(path, 0, "cannot be written: " + error.message());
+  const fs::file_status status = fs::status(target, error);
+  const bool replaces = fs::is_regular_file(status);
+  if (fs::exists(status) && !replaces) {
+    if (fs::is_directory(status)) throw InputError(path, 0, "cannot be written: is a folder");
+    std::ofstream stream(target, std::ios::binary);
+    if (!stream) throw InputError(path, 0, std::string("cannot be written: ") + std::strerror(errno));
+    write(stream);
+    stream.close();
+    if (!stream) throw InputError(path, 0, "cannot be written to its end");
+    return;
+  }
+  const fs::path temporary = target.parent_path() / ("bezcert" + std::to_string(::getpid()) + ".tmp");
   std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
   if (!stream) throw InputError(path, 0, std::string("cannot be written: ") + std::strerror(errno));
   try {
     write(stream);
     stream.close();
     if (!stream) throw InputError(path, 0, "cannot be written: the disk may be full");
-    std::error_code error;
-    std::filesystem::rename(temporary, path, error);
+    if (replaces) fs::permissions(temporary, status.permissions(), error);
+    if (!error) fs::rename(temporary, target, error);
     if (error) throw InputError(path, 0, "cannot be written: " + error.message());
   } catch (...) {
     std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
+    fs::remove(temporary, ignored);
     throw;
   }
 }

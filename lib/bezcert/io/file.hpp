@@ -15,8 +15,9 @@ std::string read_file(const std::string& path);
 std::string sha256(std::string_view bytes);
 
 /// Writes a file through a temporary one in the same folder, renamed at the end: `path` holds either what
-/// it held before or all that `write` wrote. Throws InputError if the file cannot be written, and what
-/// `write` throws.
+/// it held before or all that `write` wrote, and keeps its mode. A symbolic link is followed; what is no
+/// regular file (a pipe, a device) is written to as it is. Throws InputError if the file cannot be written,
+/// and what `write` throws.
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace bezcert

@@ -47,6 +47,9 @@ Mesh read_gmsh(const std::string& file, std::string_view bytes, const ReadOption
       source.fail("expected a section such as $Nodes, found other text");
     }
     const std::string section(text.substr(1));
+    if (section == "NOD" || section == "ELM") {
+      source.fail("version 1 is not read: expected 2.2 or 4.1 (in gmsh: Mesh.MshFileVersion)");
+    }
     const bool nodes = section == "Nodes" || section == "ParametricNodes";
     const bool elements = section == "Elements";
     if (section == "MeshFormat") {

@@ -1,5 +1,6 @@
 #include "bezcert/io/gmsh_content.hpp"
 
+#include "bezcert/io/printable.hpp"
 #include "bezcert/number/parse.hpp"
 
 #include <algorithm>
@@ -21,8 +22,10 @@ void GmshContent::add_coordinate(ExactVector& to, std::string_view text, std::ui
   } else {
     if (const auto value = parse_decimal(text)) return to.push_back(*value);
   }
-  source_.fail("a coordinate of node " + std::to_string(tag) + " is '" + std::string(text.substr(0, 40)) +
-               "', expected a finite decimal number");
+  source_.fail("a coordinate of node " + std::to_string(tag) + " is '" + printable(text) +
+               (options_.numbers == Numbers::binary64
+                    ? "', expected a finite number in the range of doubles"
+                    : "', expected a finite decimal of at most 20000 characters and exponents up to 5000"));
 }
 
 void GmshContent::add_node(std::uint64_t tag, std::string_view x, std::string_view y, std::string_view z) {
@@ -144,10 +147,11 @@ Mesh GmshContent::finish() {
       }
       if (!first) first = node;
       if (z_[node] != z_[*first]) {
-        source_.fail_at(node_lines_[node],
-                        "the mesh is not planar: node " + std::to_string(tag) + " has z = " +
-                            to_decimal(z_[node]) + ", node " + std::to_string(node_tags_[*first]) +
-                            " has z = " + to_decimal(z_[*first]) + "; expected one z for all surface nodes");
+        source_.fail_at(node_lines_[node], "the mesh is not planar: node " + std::to_string(tag) +
+                                               " has z = " + to_decimal(z_[node]) + ", node " +
+                                               std::to_string(node_tags_[*first]) +
+                                               " has z = " + to_decimal(z_[*first]) +
+                                               "; expected a mesh in a plane z = constant");
       }
       mesh_.connectivity.push_back(node);
     }

@@ -1,5 +1,7 @@
 #include "bezcert/io/gmsh_source.hpp"
 
+#include "bezcert/io/printable.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,12 +13,7 @@ namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// Text of the file for a message: short and printable.
-std::string quoted(std::string_view text) {
-  std::string result = "'";
-  for (const char c : text.substr(0, 30)) result += c >= 32 && c < 127 ? c : '?';
-  return result + (text.size() > 30 ? "...'" : "'");
-}
+std::string quoted(std::string_view text) { return "'" + printable(text, 30) + "'"; }
 
 }  // namespace
 
@@ -123,7 +120,7 @@ void GmshSource::skip_section(std::string_view section) {
       found = bytes_.find(end, behind);
     }
   }
-  fail("section $" + std::string(section) + " has no " + end);
+  fail("section " + quoted("$" + std::string(section)) + " has no " + quoted(end));
 }
 
 }  // namespace bezcert

@@ -1,6 +1,7 @@
 #include "bezcert/io/json_document.hpp"
 
 #include "bezcert/io/input_error.hpp"
+#include "bezcert/io/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -67,23 +68,23 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool key(string_t& text) override {
     JsonValue& object = *open_.back();
     if (object.find(text) != nullptr) {
-      throw InputError(file_, lines_, "the key \"" + text.substr(0, 40) + "\" is repeated");
+      throw InputError(file_, lines_, "the key \"" + printable(text) + "\" is repeated");
     }
     object.members.push_back({text, JsonValue{}});
     return true;
   }
   bool parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& error) override {
+    constexpr int number_overflow = 406;
+    if (error.id == number_overflow) {
+      throw InputError(file_, lines_,
+                       "the number " + printable(token) +
+                           " is beyond the range of doubles: expected a string, which is exact");
+    }
     std::string why = error.what();
     // "[json.exception...] parse error at line 3, column 5: syntax error ...": the part that says why.
     const std::size_t colon = why.find(": ");
     if (colon != std::string::npos) why = why.substr(colon + 2);
-    for (char& c : why) {
-      if (c == '\n' || c == '\r' || static_cast<unsigned char>(c) >= 127 ||
-          static_cast<unsigned char>(c) < 32)
-        c = '?';
-    }
-    (void)token;
-    throw InputError(file_, lines_, "no JSON: " + why.substr(0, 200));
+    throw InputError(file_, lines_, "no JSON: " + printable(why, 200));
   }
 
  private:
