@@ -88,12 +88,7 @@ int check_all(const CheckOptions& options, std::ostream& stream) {
 }  // namespace
 
 int check(const CheckOptions& options) {
-  if (options.output.empty()) {
-    const int code = check_all(options, std::cout);
-    std::cout.flush();
-    if (!std::cout) throw InputError("standard output", 0, "cannot be written");
-    return code;
-  }
+  if (options.output.empty()) return check_all(options, std::cout);
   for (const std::string& input : options.meshes) {
     std::error_code error;
     if (std::filesystem::equivalent(input, options.output, error)) {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <new>
 
 namespace bezcert::certify {
@@ -47,18 +46,27 @@ std::vector<const Criterion*> chosen_criteria(const std::string& text) {
   return result;
 }
 
-void add_read_options(CLI::App& command, ReadOptions& options) {
+// The words of --basis and --numbers, as given.
+struct ReadWords {
+  std::string basis = "lagrange";
+  std::string numbers = "binary64";
+
+  ReadOptions options() const {
+    return {basis == "lagrange" ? Basis::lagrange : Basis::bernstein,
+            numbers == "binary64" ? Numbers::binary64 : Numbers::decimal};
+  }
+};
+
+void add_read_options(CLI::App& command, ReadWords& words) {
   command
-      .add_option("--basis", options.basis,
+      .add_option("--basis", words.basis,
                   "what the points of a .msh are: lagrange nodes (default) or bernstein control points")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Basis>{{"lagrange", Basis::lagrange}, {"bernstein", Basis::bernstein}}))
+      ->check(CLI::IsMember({"lagrange", "bernstein"}))
       ->option_text("lagrange|bernstein");
   command
-      .add_option("--numbers", options.numbers,
+      .add_option("--numbers", words.numbers,
                   "what text coordinates of a .msh mean: the nearest double (default) or their decimal value")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Numbers>{{"binary64", Numbers::binary64}, {"decimal", Numbers::decimal}}))
+      ->check(CLI::IsMember({"binary64", "decimal"}))
       ->option_text("binary64|decimal");
 }
 
@@ -76,12 +84,13 @@ int run(int argc, char** argv) {
       "Exit codes: 0 all certified, 1 something invalid, 2 usage or input error, 3 undecided,\n"
       "4 a sound criterion contradicts the exact decision (a defect of bezcert).");
 
+  ReadWords read_words;
   CheckOptions check_options;
   std::string criteria_text = "all";
   std::string fail_on = "undecided";
   CLI::App* check_command = app.add_subcommand("check", "decide every element of meshes");
   check_command->add_option("MESH", check_options.meshes, "mesh files: Gmsh .msh or .bez.json")->required();
-  add_read_options(*check_command, check_options.read);
+  add_read_options(*check_command, read_words);
   check_command
       ->add_option("--criteria", criteria_text,
                    "published conditions to hold against the decision (default all)")
@@ -105,7 +114,7 @@ int run(int argc, char** argv) {
                    "its number in the file (.bez.json: its place, from 1) or its name")
       ->required()
       ->option_text("N");
-  add_read_options(*explain_command, explain_options.read);
+  add_read_options(*explain_command, read_words);
   add_budget(*explain_command, explain_options.budget);
 
   CLI::App* criteria_command = app.add_subcommand("criteria", "the published conditions and their standing");
@@ -123,6 +132,7 @@ int run(int argc, char** argv) {
     std::cerr << "certify: " << what << " (certify --help lists the options)\n";
     return exit_input_error;
   }
+  check_options.read = explain_options.read = read_words.options();
   check_options.fail_on_undecided = fail_on == "undecided";
   if (criteria_command->parsed()) return list_criteria();
   return explain_command->parsed() ? explain(explain_options) : check(check_options);
@@ -134,7 +144,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     std::ios::sync_with_stdio(false);
-    return bezcert::certify::run(argc, argv);
+    const int code = bezcert::certify::run(argc, argv);
+    std::cout.flush();
+    if (!std::cout) throw bezcert::InputError("standard output", 0, "cannot be written");
+    return code;
   } catch (const std::bad_alloc&) {
     std::cerr << "certify: out of memory: expected a smaller mesh, degree or --budget\n";
     return bezcert::certify::exit_input_error;

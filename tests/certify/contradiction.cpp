@@ -7,8 +7,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <unistd.h>
+
 #include <filesystem>
-#include <fstream>
 
 using namespace bezcert;
 using namespace bezcert::certify;
@@ -25,7 +26,9 @@ Verdict always_proved(const Forms&) { return begin_verdict(everything_is_fine, S
 // A folder of its own, entered for the time of the test.
 class Scratch {
  public:
-  Scratch() : before_(fs::current_path()), folder_(fs::temp_directory_path() / "bezcert_contradiction_test") {
+  Scratch()
+      : before_(fs::current_path()),
+        folder_(fs::temp_directory_path() / ("bezcert_contradiction_test_" + std::to_string(::getpid()))) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     fs::current_path(folder_);

@@ -21,7 +21,8 @@ Marked marked(std::string text) {
   const std::size_t at = text.find('@');
   INFO(text);
   REQUIRE(at != std::string::npos);
-  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+  const auto lines =
+      static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
   text.erase(at, 1);
   return {std::move(text), lines + 1};
 }
@@ -59,7 +60,8 @@ std::vector<Case> root_cases() {
       {file_of("{" + good + "}", "\"colour\":\n@\"red\",\n"), "the key \"colour\" is not known"},
       {file_of("{" + good + "}", "\"Elements\": @[],\n"), "the key \"Elements\" is not known"},
       {"{ \"bezcert\": 1,\n @\"bezcert\": 1, " + elements + " }", "the key \"bezcert\" is repeated"},
-      {file_of("{" + good + "}", "\"points\": [[0,0]],\n@\"points\": [],\n"), "the key \"points\" is repeated"},
+      {file_of("{" + good + "}", "\"points\": [[0,0]],\n@\"points\": [],\n"),
+       "the key \"points\" is repeated"},
       {file_of("{" + good + "}", "\"weights\":\n@[1],\n"), "go with \"points\" of the file"},
       {file_of("{" + good + "}", "\"points\": @3 ,\n"), "\"points\" must be an array"},
       {file_of("{" + good + "}", "\"points\": [[0,0]], \"weights\":\n@[1,2],\n"), "2 weights for 1 points"},
@@ -70,7 +72,9 @@ std::vector<Case> root_cases() {
 
 std::vector<Case> element_cases() {
   const std::string shared = "\"points\": [[0,0], [1,0], [0,1]],\n";
-  const auto triangle = [](const std::string& members) { return file_of("{ \"kind\": \"triangle\",\n" + members + " }"); };
+  const auto triangle = [](const std::string& members) {
+    return file_of("{ \"kind\": \"triangle\",\n" + members + " }");
+  };
   const auto nodes = [&](const std::string& list) {
     return file_of("{ \"kind\": \"triangle\", \"degree\": 1,\n \"nodes\": " + list + " }", shared);
   };
@@ -114,7 +118,8 @@ std::vector<Case> element_cases() {
       {triangle("\"degree\": 1, " + points + ",\n \"weights\": @[1,1]"), "2 weights for 3 points"},
       {triangle("\"degree\": 1, " + points + ",\n \"weights\": @1 "), "\"weights\" must be an array"},
       {triangle("\"degree\": 1, " + points + ", \"weights\": [1,\n@0 , 1]"), "the weight 0 is not positive"},
-      {triangle("\"degree\": 1, " + points + ", \"weights\": [1,\n@\"-1/2\", 1]"), "the weight -1/2 is not positive"},
+      {triangle("\"degree\": 1, " + points + ", \"weights\": [1,\n@\"-1/2\", 1]"),
+       "the weight -1/2 is not positive"},
       {triangle("\"degree\": 1, " + points + ", \"weights\": [1,\n@true , 1]"), "a weight is"},
       {nodes("[0,1,\n@3 ]"), "a node must be an index"},
       {nodes("[0,\n@-1 ,2]"), "a node must be an index"},
@@ -125,35 +130,44 @@ std::vector<Case> element_cases() {
       {nodes("[0,\n@4294967296 ,2]"), "a node must be an index"},
       {nodes("@[0,1]"), "has 3 points, not 2"},
       {nodes("@\"0 1 2\""), "\"nodes\" must be an array"},
-      {file_of("{ \"kind\": \"triangle\", \"degree\": 1,\n \"nodes\": [@0 ,1,2] }"), "a node must be an index"},
-      {file_of("{ \"kind\": \"triangle\", \"degree\": 1, \"nodes\": [0,1,2],\n \"weights\": @[1,1,1] }", shared),
+      {file_of("{ \"kind\": \"triangle\", \"degree\": 1,\n \"nodes\": [@0 ,1,2] }"),
+       "a node must be an index"},
+      {file_of("{ \"kind\": \"triangle\", \"degree\": 1, \"nodes\": [0,1,2],\n \"weights\": @[1,1,1] }",
+               shared),
        "takes the weights of the file"},
       // Lagrange weights (4, 1, 4) on an edge: the control point's is 2 * 1 - (4 + 4) / 2 = -2.
-      {file_of("@{ \"kind\": \"triangle\", \"degree\": 2, \"basis\": \"lagrange\",\n \"points\": [[0,0],[1,0],[2,0],"
+      {file_of("@{ \"kind\": \"triangle\", \"degree\": 2, \"basis\": \"lagrange\",\n \"points\": "
+               "[[0,0],[1,0],[2,0],"
                "[0,1],[1,1],[0,2]],\n \"weights\": [4,1,4,4,4,4] }"),
        "not positive after conversion"},
       // (2, 1, 2): 2 * 1 - (2 + 2) / 2 = 0.
-      {file_of("@{ \"kind\": \"triangle\", \"degree\": 2, \"basis\": \"lagrange\",\n \"points\": [[0,0],[1,0],[2,0],"
+      {file_of("@{ \"kind\": \"triangle\", \"degree\": 2, \"basis\": \"lagrange\",\n \"points\": "
+               "[[0,0],[1,0],[2,0],"
                "[0,1],[1,1],[0,2]],\n \"weights\": [2,1,2,2,2,2] }"),
        "not positive after conversion"},
   };
 }
 
 std::vector<Case> curve_cases() {
-  const auto curve = [](const std::string& text) { return file_of("{" + good + "}", "\"curves\": " + text + ",\n"); };
+  const auto curve = [](const std::string& text) {
+    return file_of("{" + good + "}", "\"curves\": " + text + ",\n");
+  };
   return {
       {curve("@{}"), "\"curves\" must be an array"},
       {curve("[\n@1 ]"), "a curve must be an object"},
       {curve("[\n@{ \"points\": [[0,0],\n[1,0]] }]"), "a curve has no \"degree\""},
       {curve("[\n@{ \"degree\":\n1 }]"), "a curve has no \"points\""},
-      {curve("[{ \"degree\": 1,\n \"kind\": @\"line\", \"points\": [[0,0],[1,0]] }]"), "the key \"kind\" is not known"},
+      {curve("[{ \"degree\": 1,\n \"kind\": @\"line\", \"points\": [[0,0],[1,0]] }]"),
+       "the key \"kind\" is not known"},
       {curve("[{ \"degree\":\n@0 , \"points\": [[0,0]] }]"), "a degree must be"},
       {curve("[{ \"degree\": 2,\n \"points\":\n@[[0,0],[1,0]] }]"), "has 3 points, not 2"},
       {curve("[{ \"degree\": 1,\n \"points\": [[0,0],\n@[1]] }]"), "a point must be [x, y]"},
       {curve("[{ \"degree\": 1,\n \"points\": [[0,0],\n[1,@\"a\"]] }]"), "a coordinate is \"a\""},
       {curve("[{ \"degree\": 1, \"points\": [[0,0],[1,0]],\n \"weights\": @[1] }]"), "one weight a point"},
-      {curve("[{ \"degree\": 1, \"points\": [[0,0],[1,0]],\n \"weights\": [1,\n@-1 ] }]"), "weight is not positive"},
-      {curve("[{ \"degree\": 1, \"points\": [[0,0],[1,0]],\n@\"degree\": 1 }]"), "the key \"degree\" is repeated"},
+      {curve("[{ \"degree\": 1, \"points\": [[0,0],[1,0]],\n \"weights\": [1,\n@-1 ] }]"),
+       "weight is not positive"},
+      {curve("[{ \"degree\": 1, \"points\": [[0,0],[1,0]],\n@\"degree\": 1 }]"),
+       "the key \"degree\" is repeated"},
   };
 }
 
@@ -187,7 +201,8 @@ TEST_CASE("bez.json lines are right where a number ends its line") {
       {file_of("{ \"kind\": \"triangle\", \"degree\": @1.5\n , " + points + " }"), "a degree must be"},
       {file_of("{ " + good + ", \"weights\": [\n1,\n@0\n,1] }"), "the weight 0 is not positive"},
       {file_of("{ " + good + ", \"weights\": [\n1,\n@-1.5\r\n,1] }"), "the weight -3/2 is not positive"},
-      {file_of("{ \"kind\": \"triangle\", \"degree\": 1, \"nodes\": [0,0,\n@7\n\n\n] }", "\"points\": [[0,0]],\n"),
+      {file_of("{ \"kind\": \"triangle\", \"degree\": 1, \"nodes\": [0,0,\n@7\n\n\n] }",
+               "\"points\": [[0,0]],\n"),
        "a node must be"},
   };
   for (const Case& one : cases) require_bad(one.text, one.phrase);
@@ -195,9 +210,10 @@ TEST_CASE("bez.json lines are right where a number ends its line") {
 }
 
 TEST_CASE("bez.json numbers that are none are refused, each where it stands") {
-  const std::vector<std::string> strings = {"NaN",  "nan", "inf", "-Infinity", "1/0",  "0/0",   "1/-2", "1.5/2",
-                                            "1/2/3", "/2", "1/",  "",          " 1",   "1 ",    "--1",  "1,5",
-                                            "0x10", "1e",  "e5",  ".",         "1e99999", "1e-99999", "\xc2\xbd", "one"};
+  const std::vector<std::string> strings = {"NaN",  "nan",   "inf",     "-Infinity", "1/0",      "0/0",
+                                            "1/-2", "1.5/2", "1/2/3",   "/2",        "1/",       "",
+                                            " 1",   "1 ",    "--1",     "1,5",       "0x10",     "1e",
+                                            "e5",   ".",     "1e99999", "1e-99999",  "\xc2\xbd", "one"};
   std::size_t seen = 0;
   const auto element = [](const std::string& number) {
     return "{ \"kind\": \"triangle\", \"degree\": 1, \"points\": [[0,0],\n[1,@" + number + "],\n[0,1]] }";
@@ -211,7 +227,8 @@ TEST_CASE("bez.json numbers that are none are refused, each where it stands") {
     require_bad(file_of(element(json)), "y of a point is ");
     ++seen;
   }
-  for (const std::string json : {"NaN", "Infinity", "-", "01", "1.", ".5", "+1", "1e", "0x10", "1/2", "'1'"}) {
+  for (const std::string json :
+       {"NaN", "Infinity", "-", "01", "1.", ".5", "+1", "1e", "0x10", "1/2", "'1'"}) {
     require_bad(file_of(element(json)), "no JSON");
     ++seen;
   }
@@ -229,16 +246,19 @@ TEST_CASE("bez.json that is no JSON is refused") {
   require_bad(text + "\n\n@{}", "no JSON");
   require_bad("{ @// comment\n \"bezcert\": 1 }", "no JSON");
   // What does not start like one is no format that is known.
-  for (const std::string& other : {std::string("[1]"), "\xef\xbb\xbf" + text, std::string("bezcert"), std::string("1")}) {
+  for (const std::string& other :
+       {std::string("[1]"), "\xef\xbb\xbf" + text, std::string("bezcert"), std::string("1")}) {
     require_refused(other, "the format is not known", 0);
   }
-  for (const std::string& empty : {std::string(), std::string(" \n\r\n\t")}) require_refused(empty, "the file is empty", 0);
+  for (const std::string& empty : {std::string(), std::string(" \n\r\n\t")})
+    require_refused(empty, "the file is empty", 0);
   CHECK_THROWS_AS(read_bez_json("f", "[1]"), InputError);
 }
 
 TEST_CASE("bez.json nested too deep is refused, however deep") {
   std::size_t seen = 0;
-  for (const std::size_t depth : {std::size_t{32}, std::size_t{1000}, std::size_t{100000}, std::size_t{3000000}}) {
+  for (const std::size_t depth :
+       {std::size_t{32}, std::size_t{1000}, std::size_t{100000}, std::size_t{3000000}}) {
     INFO("depth " << depth);
     require_refused("{\n\"bezcert\": " + std::string(depth, '['), "nested deeper than 32", 2);
     std::string objects = "{";
@@ -250,8 +270,16 @@ TEST_CASE("bez.json nested too deep is refused, however deep") {
 }
 
 TEST_CASE("bez.json text that is no UTF-8 is refused") {
-  const std::vector<std::string> bad = {"\xff",         "\x80",         "\xc0\xaf", "\xe2\x82",    "\xed\xa0\x80",
-                                        "\xf8\x88\x80\x80\x80", "\xf4\x90\x80\x80", "\\ud800",  "\\udc00x", "\\ud800\\u0041"};
+  const std::vector<std::string> bad = {"\xff",
+                                        "\x80",
+                                        "\xc0\xaf",
+                                        "\xe2\x82",
+                                        "\xed\xa0\x80",
+                                        "\xf8\x88\x80\x80\x80",
+                                        "\xf4\x90\x80\x80",
+                                        "\\ud800",
+                                        "\\udc00x",
+                                        "\\ud800\\u0041"};
   for (const std::string& text : bad) {
     INFO("bytes of " << text);
     require_bad(file_of("{ " + good + ",\n \"name\": @\"" + text + "\" }"), "no JSON");
@@ -266,15 +294,17 @@ TEST_CASE("bez.json messages are one printable line whatever the file holds") {
   for (const std::string& key : keys) {
     require_bad(file_of("{ " + good + ",\n \"" + key + "\": @null }"), "is not known");
     require_bad(file_of("{ " + good + ",\n \"" + key + "\": 1,\n @\"" + key + "\": 2 }"), "is repeated");
-    require_bad(file_of("{ \"kind\": \"triangle\", \"degree\": 1, \"points\": [[0,0],\n[@\"" + key + "\",1],[0,1]] }"),
+    require_bad(file_of("{ \"kind\": \"triangle\", \"degree\": 1, \"points\": [[0,0],\n[@\"" + key +
+                        "\",1],[0,1]] }"),
                 "x of a point is");
   }
   CHECK(keys.size() == 6);
 }
 
 TEST_CASE("a small bez.json cut at any byte is refused") {
-  const std::string text = file_of("{ " + good + ",\n \"weights\": [1, \"2/3\", 0.5], \"name\": \"\xc3\xa9\" }",
-                                   "\"curves\": [{\"degree\": 1, \"points\": [[0,0],[1,0]]}],\n");
+  const std::string text =
+      file_of("{ " + good + ",\n \"weights\": [1, \"2/3\", 0.5], \"name\": \"\xc3\xa9\" }",
+              "\"curves\": [{\"degree\": 1, \"points\": [[0,0],[1,0]]}],\n");
   REQUIRE(text.back() == '}');
   std::size_t refused = 0;
   for (std::size_t size = 0; size < text.size(); ++size) {
@@ -284,7 +314,8 @@ TEST_CASE("a small bez.json cut at any byte is refused") {
     CAPTURE(one->what);
     REQUIRE(is_one_line(one->what));
     // The line of the defect is no later than the last of the text.
-    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(size), '\n'));
+    const auto lines =
+        static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(size), '\n'));
     REQUIRE(one->line <= lines + 1);
     ++refused;
   }

@@ -48,12 +48,14 @@ TEST_CASE("bez.json numbers mean their exact value, however written") {
       {"18446744073709551615", Rational(Integer("18446744073709551615"))},
       {"18446744073709551616", Rational(Integer("18446744073709551616"))},
       {"-9223372036854775809", Rational(Integer("-9223372036854775809"))},
-      {"1234567890123456789012345678901234567890", Rational(Integer("1234567890123456789012345678901234567890"))},
+      {"1234567890123456789012345678901234567890",
+       Rational(Integer("1234567890123456789012345678901234567890"))},
       {"1e-400", 1 / ten_to(400)},
       {"\"1e-400\"", 1 / ten_to(400)},
       {"\"1e400\"", ten_to(400)},
       {"5e-324", 5 / ten_to(324)},
-      {"\"5000000000000000000000000000001/3\"", Rational(Integer("5000000000000000000000000000001"), Integer(3))},
+      {"\"5000000000000000000000000000001/3\"",
+       Rational(Integer("5000000000000000000000000000001"), Integer(3))},
       {"\"-1/" + std::string(1, '1') + std::string(300, '0') + "\"", -1 / ten_to(300)},
   };
   std::size_t seen = 0;
@@ -65,10 +67,17 @@ TEST_CASE("bez.json numbers mean their exact value, however written") {
   CHECK(seen == 23);
 }
 
-// formats.md: a JSON number means its exact decimal value; JSON sets no limit to an exponent.
-TEST_CASE("a JSON number beyond the doubles is exact too") {
-  CHECK(read_number("1e400") == ten_to(400));
-  CHECK(read_number("-1.5E309") == -15 * ten_to(308));
+// docs/formats.md: JSON numbers beyond the range of doubles must be strings.
+TEST_CASE("a JSON number beyond the doubles is refused, the same text as a string is exact") {
+  std::size_t seen = 0;
+  for (const auto& [text, value] : {std::pair{"1e400", ten_to(400)}, {"-1.5E309", -15 * ten_to(308)}}) {
+    const std::string start =
+        "{\"bezcert\":1,\"elements\":[{\"kind\":\"triangle\",\"degree\":1,\n\"points\":[[0,0],\n[";
+    require_refused(start + text + ",0],[0,1]]}]}", text, 3);
+    CHECK(read_number("\"" + std::string(text) + "\"") == value);
+    ++seen;
+  }
+  CHECK(seen == 2);
 }
 
 TEST_CASE("bez.json elements have their points by rows, their basis, names and expected verdicts") {
@@ -112,9 +121,8 @@ TEST_CASE("bez.json reading does not look at the options for .msh") {
   CHECK(mesh.x[1] == Rational(1, 10));
 }
 
-TEST_CASE("bez.json weights belong to their points; elements without have ones") {
-  const Mesh mesh = read_mesh(
-      "t", file_of(R"({"kind":"triangle","degree":1,"points":[[0,0],[1,0],[0,1]]},
+TEST_CASE("bez.json weights belong to their points, and elements without have ones") {
+  const Mesh mesh = read_mesh("t", file_of(R"({"kind":"triangle","degree":1,"points":[[0,0],[1,0],[0,1]]},
                       {"kind":"triangle","degree":1,"points":[[0,0],[1,0],[0,1]],"weights":[1,"2/3",0.1]},
                       {"kind":"triangle","degree":1,"points":[[0,0],[1,0],[0,1]],"weights":[7,7,7]})"));
   CHECK(!mesh.element(0).rational());
@@ -143,7 +151,8 @@ TEST_CASE("bez.json nodes refer to shared points and weights") {
   CHECK(mesh.element(3).x()[1] == 6);
   // The same without weights, and with the shared points behind the elements.
   const Mesh plain = read_mesh(
-      "t", R"({"elements":[{"kind":"triangle","degree":1,"nodes":[2,0,1]}],"points":[[0,0],[1,0],[1,1]],"bezcert":1})");
+      "t",
+      R"({"elements":[{"kind":"triangle","degree":1,"nodes":[2,0,1]}],"points":[[0,0],[1,0],[1,1]],"bezcert":1})");
   CHECK(plain.weights.empty());
   CHECK(plain.connectivity == std::vector<std::uint32_t>{2, 0, 1});
 }

@@ -48,13 +48,14 @@ TEST_CASE("sha256 of the standard's examples") {
   CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   CHECK(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
         "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  CHECK(sha256(std::string(1000000, 'a')) == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  CHECK(sha256(std::string(1000000, 'a')) ==
+        "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
 TEST_CASE("a file is written whole and read back byte for byte") {
   const Folder folder;
   std::string bytes;
-  for (int i = 0; i < 300000; ++i) bytes += static_cast<char>(i * i % 256);
+  for (unsigned i = 0; i < 300000; ++i) bytes += static_cast<char>(i * i % 256);
   write_file(folder / "a", [&](std::ostream& stream) { stream << bytes; });
   CHECK(read_file(folder / "a") == bytes);
   write_file(folder / "a", [](std::ostream& stream) { stream << "short\r\n"; });
@@ -102,6 +103,18 @@ TEST_CASE("files that cannot be read or written are input errors that name them"
   CHECK(message([&] { write_file(folder / "sub", ignore); }).starts_with((folder / "sub") + ": "));
   CHECK(fs::is_directory(folder / "sub"));
   CHECK(folder.count() == 1);
+}
+
+TEST_CASE("writing to a link writes to the file behind it and keeps permissions") {
+  const Folder folder;
+  write_file(folder / "a", [](std::ostream& stream) { stream << "before"; });
+  fs::create_symlink("a", folder / "link");
+  fs::permissions(folder / "a", fs::perms::owner_read | fs::perms::owner_write);
+  write_file(folder / "link", [](std::ostream& stream) { stream << "after"; });
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(read_file(folder / "a") == "after");
+  CHECK(fs::status(folder / "a").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  CHECK(folder.count() == 2);
 }
 
 // Renaming onto /dev/null, which root may, would take it away from everybody.

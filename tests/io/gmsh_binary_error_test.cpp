@@ -22,7 +22,8 @@ struct Case {
 };
 
 // Version 2.2: what follows "$Elements\n".
-Case elements_22(const std::string& count, const std::vector<std::int32_t>& numbers, const std::string& phrase) {
+Case elements_22(const std::string& count, const std::vector<std::int32_t>& numbers,
+                 const std::string& phrase) {
   ByteWriter w = binary_start("2.2");
   write_nodes_22b(w);
   w.text("$Elements\n" + count + "\n");
@@ -39,7 +40,8 @@ struct Block {
   std::vector<std::uint64_t> numbers;
 };
 
-Case elements_41(std::uint64_t blocks, std::uint64_t count, const std::vector<Block>& list, const std::string& phrase) {
+Case elements_41(std::uint64_t blocks, std::uint64_t count, const std::vector<Block>& list,
+                 const std::string& phrase) {
   ByteWriter w = binary_start("4.1");
   write_nodes_41b(w);
   w.text("$Elements\n").uint64(blocks).uint64(count).uint64(1).uint64(12);
@@ -102,7 +104,8 @@ TEST_CASE("binary version 2.2 that is wrong is refused") {
       elements_22("-1", {}, "the number of elements is -1"),
       elements_22("18446744073709551615", {2, 1, 0, 11, 1, 2, 3}, "'18446744073709551615'"),
       elements_22("9223372036854775808", {2, 1, 0, 11, 1, 2, 3}, "'9223372036854775808'"),
-      elements_22("9223372036854775807", {2, 1, 0, 11, 1, 2, 3}, "9223372036854775807 elements are announced"),
+      elements_22("9223372036854775807", {2, 1, 0, 11, 1, 2, 3},
+                  "9223372036854775807 elements are announced"),
       elements_22("2147483647", {2, 2147483647, 0, 11, 1, 2, 3}, "2147483647 elements are announced"),
       elements_22("5", {2, 5, 0, 11, 1, 2, 3}, "5 elements are announced"),
       elements_22("1", {2, 1, 2147483647, 11, 1, 2, 3}, "1 elements are announced"),
@@ -139,7 +142,8 @@ TEST_CASE("binary version 2.2 that is wrong is refused") {
   solid.int32(1).int32(1).int32(2).int32(3).text("\n$EndElements\n");
   cases.push_back({solid.str(), "node 3 has z = 0.5"});
   for (const std::string count : {"2147483647", "9223372036854775807"}) {
-    cases.push_back({binary_start("2.2").text("$Nodes\n" + count + "\n").int32(1).str(), count + " nodes are announced"});
+    cases.push_back(
+        {binary_start("2.2").text("$Nodes\n" + count + "\n").int32(1).str(), count + " nodes are announced"});
   }
   cases.push_back({binary_start("2.2").text("$Nodes\n-1\n").str(), "the number of nodes is -1"});
   require_all(cases);

@@ -67,7 +67,8 @@ TEST_CASE("a format that is not read is refused") {
 TEST_CASE("a version that is no number is refused") {
   for (const std::string version : {"2.2x", "2.", "2..2", "2.2.2", "2.-1", "2.abc"}) {
     INFO(version);
-    require_refused(replaced(tiny_22a, "2.2 0 8", version + " 0 8"), "version " + version + " is not read", 2);
+    require_refused(replaced(tiny_22a, "2.2 0 8", version + " 0 8"), "version " + version + " is not read",
+                    2);
   }
 }
 
@@ -84,12 +85,13 @@ TEST_CASE("sections that are missing, doubled or open are refused") {
       {"$EndNodes\n", "", "expected $EndNodes", 10},
       {"$EndNodes", "$EndNode", "expected $EndNodes", 10},
       {"$EndElements\n", "", "expected $EndElements", 16},
-      {nodes, nodes + "$Comments\n$EndComment\n", "section $Comments has no $EndComments", 19},
+      {nodes, nodes + "$Comments\n$EndComment\n", "$EndComments", 19},
       {"$Nodes", "$NODES", "$NODES", 17},
       {"1 15 2 7 7 1\n2 1 2 7 7 1 2\n11 2 2 7 7 1 2 3\n12 2 2 7 7 1 3 4\n",
        "1 15 2 7 7 1\n2 1 2 7 7 1 2\n3 1 2 7 7 1 2\n4 1 2 7 7 2 3\n",
        "no triangles or quadrangles (ignored: 1 points, 3 lines, 0 volume cells)", 0},
-      {"4\n1 15 2 7 7 1\n2 1 2 7 7 1 2\n11 2 2 7 7 1 2 3\n12 2 2 7 7 1 3 4\n", "0\n", "no triangles or quadrangles", 0},
+      {"4\n1 15 2 7 7 1\n2 1 2 7 7 1 2\n11 2 2 7 7 1 2 3\n12 2 2 7 7 1 3 4\n", "0\n",
+       "no triangles or quadrangles", 0},
   };
   require_all(tiny_22a, cases);
   CHECK(cases.size() == 13);
@@ -167,7 +169,8 @@ TEST_CASE("elements of version 2.2 that are wrong are refused") {
       {"$Elements\n4\n", "$Elements\n3\n", "expected $EndElements", 16},
       {"$Elements\n4\n", "$Elements\n5\n", "expected element 5 of 5", 17},
       {"$Elements\n4\n", "$Elements\n2147483648\n", "2147483648 elements are announced", 12},
-      {"$Elements\n4\n", "$Elements\n9223372036854775807\n", "9223372036854775807 elements are announced", 12},
+      {"$Elements\n4\n", "$Elements\n9223372036854775807\n", "9223372036854775807 elements are announced",
+       12},
       {"$Elements\n4\n", "$Elements\n9223372036854775808\n", "'9223372036854775808'", 12},
       {"$Elements\n4\n", "$Elements\n18446744073709551615\n", "'18446744073709551615'", 12},
   };
@@ -204,7 +207,8 @@ TEST_CASE("sections of version 4.1 that are wrong are refused") {
       {"1.25 1 0\n", "1.25 1 2\n", "the mesh is not planar", 14},
       {"3 4 1 12\n", "3 5 1 12\n", "the blocks hold 1 elements fewer than announced", 25},
       {"3 4 1 12\n", "3 3 1 12\n", "a block announces 2 elements, but only 1", 23},
-      {"3 4 1 12\n", "3 9223372036854775807 1 12\n", "the blocks hold 9223372036854775803 elements fewer", 25},
+      {"3 4 1 12\n", "3 9223372036854775807 1 12\n", "the blocks hold 9223372036854775803 elements fewer",
+       25},
       {"3 4 1 12\n", "3 9223372036854775808 1 12\n", "the number of elements is '9223372036854775808'", 18},
       {"3 4 1 12\n", "4 4 1 12\n", "expected a block of elements, found '$EndElements'", 26},
       {"2 1 2 2\n", "2 1 2 1\n", "the blocks hold 1 elements fewer", 24},
@@ -227,14 +231,14 @@ TEST_CASE("messages about text are one short printable line") {
   const std::vector<Case> cases = {
       {"1.25 1 0", "1.\x1b[31m25 1 0", "a coordinate of node 3 is", 8},
       {"1.25 1 0", "1.\x07\x0b 1 0", "a coordinate of node 3 is", 8},
-      {"1.25 1 0", std::string("1.\0002 1 0", 8), "expected a finite decimal number", 8},
+      {"1.25 1 0", std::string("1.\0002 1 0", 8), "expected a finite", 8},
       {"2.2 0 8", "3.\x1b[31m 0 8", "expected 2.2 or 4.1", 2},
       {"2.2 0 8", "2.2 0 " + std::string(5000, '0') + "4", "expected 8", 2},
       {"11 2 2 7 7 1 2 3", "11 " + std::string(5000, '0') + "2 2 7 7 1 2", "element 11", 15},
-      {"$EndNodes\n", "$EndNodes\n$\x1b[31mred\n", "has no $End", 18},
-      {"$EndNodes\n", "$EndNodes\n$a\rb\n", "has no $End", 18},
-      {"$EndNodes\n", std::string("$EndNodes\n$a\0b\n", 15), "has no $End", 18},
-      {"$EndNodes\n", "$EndNodes\n$" + std::string(100000, 'a') + "\n", "has no $End", 18},
+      {"$EndNodes\n", "$EndNodes\n$\x1b[31mred\n", "has no", 18},
+      {"$EndNodes\n", "$EndNodes\n$a\rb\n", "has no", 18},
+      {"$EndNodes\n", std::string("$EndNodes\n$a\0b\n", 15), "has no", 18},
+      {"$EndNodes\n", "$EndNodes\n$" + std::string(100000, 'a') + "\n", "has no", 18},
   };
   require_all(tiny_22a, cases);
   CHECK(cases.size() == 10);

@@ -92,7 +92,8 @@ TEST_CASE("version 2 by its other numbers, any number of tags, parametric nodes"
   // The same of version 4.1: parameters behind the coordinates, one on a curve and two on a surface.
   text = tiny_41a;
   text = replaced(text, "1 1 0 2\n1\n2\n0 0 0\n1.5 0.25 0\n", "1 1 1 2\n1\n2\n0 0 0 7.5\n1.5 0.25 0 8.5\n");
-  text = replaced(text, "2 1 0 2\n3\n4\n1.25 1 0\n-0.5 0.75 0\n", "2 1 1 2\n3\n4\n1.25 1 0 6 7\n-0.5 0.75 0 8 9\n");
+  text = replaced(text, "2 1 0 2\n3\n4\n1.25 1 0\n-0.5 0.75 0\n",
+                  "2 1 1 2\n3\n4\n1.25 1 0 6 7\n-0.5 0.75 0 8 9\n");
   require_tiny(text);
 }
 
@@ -107,7 +108,12 @@ TEST_CASE("binary forms: blocks of one, parameters, no tags, numbers that look l
 
   ByteWriter four = binary_start("4.1");
   // An unknown section whose bytes hold the words of the format, and its own end inside a line.
-  four.text("$Data\n").text("$Nodes\n$EndNodes x$EndData\n").float64(1).text("$EndData").uint64(3);
+  four.text("$Data\n")
+      .text("$Nodes\n$EndNodes x$EndData\n")
+      .float64(1)
+      .text("$EndData")
+      .text("\n$EndDatabase\n")
+      .uint64(3);
   four.text("\n$EndData\n");
   four.text("$Nodes\n").uint64(2).uint64(4).uint64(1).uint64(4);
   four.int32(2).int32(1).int32(1).uint64(0);  // an empty block
@@ -127,7 +133,15 @@ TEST_CASE("binary forms: blocks of one, parameters, no tags, numbers that look l
   std::memcpy(&ends, "\n\n\n\n\n\n\n\n", 8);
   ByteWriter w = binary_start("2.2");
   write_nodes_22b(w, {{{word, ends}, {1, 10}, {ends, word}, {2, 0}}});
-  w.text("$Elements\n1\n").int32(2).int32(1).int32(0).int32(10).int32(1).int32(2).int32(3).text("\n$EndElements\n");
+  w.text("$Elements\n1\n")
+      .int32(2)
+      .int32(1)
+      .int32(0)
+      .int32(10)
+      .int32(1)
+      .int32(2)
+      .int32(3)
+      .text("\n$EndElements\n");
   const Mesh mesh = read_mesh("words", w.str());
   CHECK(mesh.x[0] == Rational(word));
   CHECK(mesh.y[0] == Rational(ends));

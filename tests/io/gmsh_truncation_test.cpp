@@ -12,8 +12,8 @@ namespace bezcert::test {
 
 TEST_CASE("a .msh file cut before the end of $EndElements is refused, at every byte") {
   const std::vector<std::pair<std::string, std::string>> forms = {
-      {"2.2 ASCII", tiny_22a},        {"4.1 ASCII", tiny_41a},        {"2.2 binary", tiny_22b()},
-      {"4.1 binary", tiny_41b()},     {"2.2 swapped", tiny_22b(true)}, {"4.1 swapped", tiny_41b(true)}};
+      {"2.2 ASCII", tiny_22a},    {"4.1 ASCII", tiny_41a},         {"2.2 binary", tiny_22b()},
+      {"4.1 binary", tiny_41b()}, {"2.2 swapped", tiny_22b(true)}, {"4.1 swapped", tiny_41b(true)}};
   for (const auto& [name, bytes] : forms) {
     INFO(name);
     CHECK(!refusal(bytes));
@@ -34,7 +34,7 @@ TEST_CASE("a .msh file cut before the end of $EndElements is refused, at every b
       ++refused;
     }
     CHECK(refused == bytes.size() - 1);
-    CHECK(refused > 200);
+    CHECK(refused > 150);
   }
   CHECK(forms.size() == 6);
 }

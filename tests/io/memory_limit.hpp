@@ -13,7 +13,7 @@ class MemoryLimit {
     REQUIRE(::getrlimit(RLIMIT_AS, &before_) == 0);
     rlimit limit = before_;
     if (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur > bytes) limit.rlim_cur = bytes;
-    // A sanitizer needs terabytes of address space for its own tables.
+      // A sanitizer needs terabytes of address space for its own tables.
 #if !defined(__SANITIZE_ADDRESS__)
     REQUIRE(::setrlimit(RLIMIT_AS, &limit) == 0);
 #endif

@@ -73,8 +73,11 @@ struct Base {
 }  // namespace
 
 TEST_CASE("reading survives 20,000 spoiled files") {
-  const std::vector<Base> bases = {{"2.2 ASCII", tiny_22a},   {"4.1 ASCII", tiny_41a}, {"2.2 binary", tiny_22b()},
-                                   {"4.1 binary", tiny_41b()}, {"bez.json", json_base}};
+  const std::vector<Base> bases = {{"2.2 ASCII", tiny_22a},
+                                   {"4.1 ASCII", tiny_41a},
+                                   {"2.2 binary", tiny_22b()},
+                                   {"4.1 binary", tiny_41b()},
+                                   {"bez.json", json_base}};
   const std::uint64_t seed = seed_or(90210);
   INFO("seed " << seed);
   Random random(seed);
@@ -83,7 +86,7 @@ TEST_CASE("reading survives 20,000 spoiled files") {
   std::size_t all = 0;
   for (const Base& base : bases) {
     REQUIRE(!refusal(base.bytes));
-    std::size_t read = 0, refused = 0;
+    std::size_t read = 0, refused = 0, defects = 0;
     for (std::size_t round = 0; round < rounds; ++round) {
       const std::string bytes = mutated(base.bytes, random);
       const ReadOptions options{random.chance(50) ? Basis::lagrange : Basis::bernstein,
@@ -96,16 +99,19 @@ TEST_CASE("reading survives 20,000 spoiled files") {
       } catch (const InputError& error) {
         ++refused;
         if (!is_one_line(error.what())) defect = "the message is not one line: " + std::string(error.what());
-        if (std::string_view(error.what()).substr(0, 7) != "spoiled") defect = "the message does not name the file";
+        if (std::string_view(error.what()).substr(0, 7) != "spoiled")
+          defect = "the message does not name the file";
       } catch (const std::exception& error) {
         defect = "not an InputError: " + std::string(error.what());
       }
       ++all;
-      if (defect.empty()) continue;
-      INFO(base.name << ", round " << round << ": " << defect << "\nbytes in hexadecimal: " << hexadecimal(bytes));
+      if (defect.empty() || ++defects > 3) continue;  // the first few tell enough
+      INFO(base.name << ", round " << round << ": " << defect
+                     << "\nbytes in hexadecimal: " << hexadecimal(bytes));
       CHECK(defect.empty());
     }
     INFO(base.name << ": " << read << " read, " << refused << " refused");
+    CHECK(defects == 0);
     CHECK(read + refused == rounds);
     // Both outcomes are common in every form: a digit of a coordinate reads, a letter of a keyword does not.
     CHECK(read > rounds / 20);

@@ -77,7 +77,8 @@ inline bool is_one_line(std::string_view text) {
 
 /// Nothing a terminal would act on.
 inline bool is_printable(std::string_view text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) != 0 || (c >= 32 && c < 127); });
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return (c & 0x80) != 0 || (c >= 32 && c < 127); });
 }
 
 /// Requires InputError with one line "input[:line]: ... phrase ...".

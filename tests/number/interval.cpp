@@ -286,7 +286,7 @@ TEST_CASE("to_interval is the smallest interval around a rational, in and out of
   CHECK(points > 500);
   CHECK(proper > 1500);
   CHECK(subnormal > 50);
-  CHECK(beyond > 8);
+  CHECK(beyond >= 6);  // those listed
 }
 
 TEST_CASE("to_interval is the smallest interval around an integer") {

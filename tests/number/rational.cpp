@@ -170,6 +170,15 @@ TEST_CASE("to_decimal on known values") {
   CHECK(to_decimal(Rational(22, 7), 20) == "3.1428571428571428571");
 }
 
+TEST_CASE("to_decimal rounds numbers next to halfway to their side") {
+  for (const long exponent : {20L, 60L, 100L, 300L}) {
+    INFO("2^-" << exponent << " beside halfway");
+    CHECK(to_decimal(1234565 + dyadic(1, -exponent)) == "1234570");
+    CHECK(to_decimal(1234575 - dyadic(1, -exponent)) == "1234570");
+    CHECK(to_decimal(-1234565 - dyadic(1, -exponent)) == "-1234570");
+  }
+}
+
 TEST_CASE("to_decimal is the nearest number of so many digits") {
   const std::uint64_t seed = seed_or(126);
   Random random(seed);

@@ -47,13 +47,14 @@ T evaluate(const Polynomial<T>& f, const std::vector<T>& parameter);
 template <class T>
 Polynomial<T> elevate(const Polynomial<T>& f, int times = 1);
 
-/// The product. T must have division (integers: see forms.hpp).
+/// The product. T must have division (integers: convolve in multinomial.hpp).
 template <class T>
 Polynomial<T> multiply(const Polynomial<T>& f, const Polynomial<T>& g);
 
 /// Derivative towards a direction of the domain: on the segment d/dt (direction 0); on the square d/du
 /// (0) or d/dv (1), one degree less in that direction; on the triangle the derivative along
 /// corner 1 - corner 0 (0) or corner 2 - corner 0 (1), one degree less.
+/// Throws std::invalid_argument if that degree is 0.
 template <class T>
 Polynomial<T> differentiate(const Polynomial<T>& f, int direction);
 

@@ -19,6 +19,7 @@ bool all_equal(const ExactVector& numbers) {
 Element::Element(Shape shape, Basis basis, ExactVector x, ExactVector y, ExactVector weights)
     : shape_(shape), basis_(basis), x_(std::move(x)), y_(std::move(y)), weights_(std::move(weights)) {
   const bool square = shape_.domain == Domain::square;
+  if (!square) shape_.q = 0;
   if (shape_.domain == Domain::segment) throw std::invalid_argument("an element is no segment");
   if (shape_.p < 1 || (square && shape_.q < 1)) throw std::invalid_argument("the degree must be at least 1");
   if (degree() > max_degree) {
@@ -27,7 +28,8 @@ Element::Element(Shape shape, Basis basis, ExactVector x, ExactVector y, ExactVe
   const std::size_t count = coefficient_count(shape_);
   if (x_.size() != count || y_.size() != count) {
     throw std::invalid_argument("a " + kind_name(*this) + " of degree " + degree_name(*this) + " has " +
-                                std::to_string(count) + " points, not " + std::to_string(x_.size()));
+                                std::to_string(count) + " points, not " +
+                                std::to_string(x_.size() != count ? x_.size() : y_.size()));
   }
   if (weights_.empty()) return;
   if (weights_.size() != count) {

@@ -26,7 +26,8 @@ struct PieceSigns {
   std::array<signed char, 4> corner{};  ///< sign at each corner; corner[3] unused for triangles
 };
 
-/// Proven bounds: min_lower <= min det J <= min_upper, max_lower <= max det J <= max_upper.
+/// Proven bounds: min_lower <= min det J <= min_upper, max_lower <= max det J <= max_upper. The inner two are
+/// the extreme values at corners of pieces; the outer two come from the extreme coefficients over the pieces.
 struct DeterminantBounds {
   Dyadic min_lower, min_upper, max_lower, max_upper;
 };

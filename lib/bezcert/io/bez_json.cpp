@@ -76,8 +76,8 @@ class Reader {
     }
     fail(value,
          what + " is " +
-             (value.text.empty() ? std::string(name(value.kind)) : "\"" + value.text.substr(0, 40) + "\"") +
-             ": expected a finite decimal or \"p/q\"");
+             (value.text.empty() ? std::string(name(value.kind)) : "\"" + printable(value.text) + "\"") +
+             ": expected a finite decimal or \"p/q\", of at most 20000 characters and exponents up to 5000");
   }
 
   int degree(const JsonValue& value) const {
@@ -297,7 +297,8 @@ void write_bez_json(std::ostream& stream, const Element& element, const std::str
   nlohmann::ordered_json file;
   file["bezcert"] = 1;
   file["elements"] = nlohmann::ordered_json::array({entry});
-  stream << file.dump(1) << '\n';
+  // Names may hold any bytes: what is no UTF-8 is replaced, not thrown at.
+  stream << file.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace bezcert

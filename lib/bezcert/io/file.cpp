@@ -53,6 +53,7 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   const fs::path target = fs::exists(path, error) ? fs::canonical(path, error) : fs::path(path);
   if (error) throw InputError(path, 0, "cannot be written: " + error.message());
   const fs::file_status status = fs::status(target, error);
+  error.clear();  // a target that does not exist is no error
   const bool replaces = fs::is_regular_file(status);
   if (fs::exists(status) && !replaces) {
     if (fs::is_directory(status)) throw InputError(path, 0, "cannot be written: is a folder");
@@ -63,7 +64,9 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
     if (!stream) throw InputError(path, 0, "cannot be written to its end");
     return;
   }
-  const fs::path temporary = target.parent_path() / ("bezcert" + std::to_string(::getpid()) + ".tmp");
+  // Beside the target, named after it, and no longer than a name may be.
+  const fs::path temporary = target.parent_path() / (target.filename().string().substr(0, 200) + ".tmp" +
+                                                     std::to_string(::getpid()));
   std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
   if (!stream) throw InputError(path, 0, std::string("cannot be written: ") + std::strerror(errno));
   try {

@@ -1,6 +1,7 @@
 #include "bezcert/io/gmsh.hpp"
 
 #include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/printable.hpp"
 
 namespace bezcert {
 namespace {
@@ -11,9 +12,10 @@ int read_format(GmshSource& source) {
   source.read_tokens("the version, file type and data size");
   source.expect_tokens(3, "$MeshFormat: version, file type, data size");
   const std::string version(source.tokens()[0]);
-  const bool two = version == "2" || version.starts_with("2.");
+  const bool two = version == "2" || (version.size() > 2 && version.starts_with("2.") &&
+                                      version.find_first_not_of("0123456789", 2) == std::string::npos);
   if (!two && version != "4.1") {
-    source.fail("version " + version.substr(0, 20) +
+    source.fail("version " + printable(version) +
                 " is not read: expected 2.2 or 4.1 (in gmsh: Mesh.MshFileVersion)");
   }
   const std::int64_t type = source.integer(1, "file type");
@@ -21,7 +23,7 @@ int read_format(GmshSource& source) {
     source.fail("the file type is " + std::to_string(type) + ", expected 0 (ASCII) or 1 (binary)");
   }
   if (source.integer(2, "data size") != 8) {
-    source.fail("the data size is " + std::string(source.tokens()[2]) + ", expected 8");
+    source.fail("the data size is " + printable(source.tokens()[2]) + ", expected 8");
   }
   if (type == 1) {
     source.binary = true;

@@ -1,5 +1,6 @@
 // Sections of .msh version 2.x.
 #include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/printable.hpp"
 
 namespace bezcert {
 namespace {
@@ -24,7 +25,7 @@ void read_element_line(GmshSource& source, GmshContent& content) {
   const auto nodes = static_cast<std::size_t>(type.nodes);
   const std::size_t found = source.tokens().size();
   if (tags > found || found != 3 + tags + nodes) {
-    source.fail("element " + std::to_string(tag) + " of type " + std::string(source.tokens()[1]) + " with " +
+    source.fail("element " + std::to_string(tag) + " of type " + printable(source.tokens()[1]) + " with " +
                 std::to_string(tags) + " tags needs " + std::to_string(nodes) + " nodes: expected " +
                 std::to_string(3 + tags + nodes) + " numbers on the line, found " + std::to_string(found));
   }

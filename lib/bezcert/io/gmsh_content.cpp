@@ -22,10 +22,11 @@ void GmshContent::add_coordinate(ExactVector& to, std::string_view text, std::ui
   } else {
     if (const auto value = parse_decimal(text)) return to.push_back(*value);
   }
-  source_.fail("a coordinate of node " + std::to_string(tag) + " is '" + printable(text) +
-               (options_.numbers == Numbers::binary64
-                    ? "', expected a finite number in the range of doubles"
-                    : "', expected a finite decimal of at most 20000 characters and exponents up to 5000"));
+  source_.fail(
+      "a coordinate of node " + std::to_string(tag) + " is '" + printable(text) +
+      (options_.numbers == Numbers::binary64
+           ? "', expected a finite decimal number in the range of doubles"
+           : "', expected a finite decimal number of at most 20000 characters and exponents up to 5000"));
 }
 
 void GmshContent::add_node(std::uint64_t tag, std::string_view x, std::string_view y, std::string_view z) {

@@ -120,7 +120,7 @@ void GmshSource::skip_section(std::string_view section) {
       found = bytes_.find(end, behind);
     }
   }
-  fail("section " + quoted("$" + std::string(section)) + " has no " + quoted(end));
+  fail("section $" + printable(section) + " has no $End" + printable(section));
 }
 
 }  // namespace bezcert

@@ -13,7 +13,16 @@ namespace {
 
 constexpr std::size_t max_depth = 32;
 
-// Characters that count the lines passed: the parser takes them one by one.
+// Where the parser is. It takes characters one by one, and one too many behind a number: the line of what it
+// has just understood is the line before a line end that was taken last.
+struct Position {
+  std::size_t lines = 1;
+  bool at_line_end = false;
+
+  std::size_t line() const { return at_line_end ? lines - 1 : lines; }
+};
+
+// Characters that count the lines passed.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -22,10 +31,11 @@ class CountingIterator {
   using pointer = const char*;
   using reference = const char&;
 
-  CountingIterator(const char* at, std::size_t* lines) : at_(at), lines_(lines) {}
+  CountingIterator(const char* at, Position* position) : at_(at), position_(position) {}
   reference operator*() const { return *at_; }
   CountingIterator& operator++() {
-    if (*at_ == '\n') ++*lines_;
+    position_->at_line_end = *at_ == '\n';
+    if (position_->at_line_end) ++position_->lines;
     ++at_;
     return *this;
   }
@@ -39,12 +49,12 @@ class CountingIterator {
 
  private:
   const char* at_;
-  std::size_t* lines_;
+  Position* position_;
 };
 
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  Builder(const std::string& file, const std::size_t& lines) : file_(file), lines_(lines) {}
+  Builder(const std::string& file, const Position& position) : file_(file), position_(position) {}
 
   JsonValue root;
 
@@ -68,7 +78,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool key(string_t& text) override {
     JsonValue& object = *open_.back();
     if (object.find(text) != nullptr) {
-      throw InputError(file_, lines_, "the key \"" + printable(text) + "\" is repeated");
+      throw InputError(file_, position_.line(), "the key \"" + printable(text) + "\" is repeated");
     }
     object.members.push_back({text, JsonValue{}});
     return true;
@@ -76,7 +86,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& error) override {
     constexpr int number_overflow = 406;
     if (error.id == number_overflow) {
-      throw InputError(file_, lines_,
+      throw InputError(file_, position_.line(),
                        "the number " + printable(token) +
                            " is beyond the range of doubles: expected a string, which is exact");
     }
@@ -84,7 +94,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     // "[json.exception...] parse error at line 3, column 5: syntax error ...": the part that says why.
     const std::size_t colon = why.find(": ");
     if (colon != std::string::npos) why = why.substr(colon + 2);
-    throw InputError(file_, lines_, "no JSON: " + printable(why, 200));
+    throw InputError(file_, position_.line(), "no JSON: " + printable(why, 200));
   }
 
  private:
@@ -98,17 +108,17 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool scalar(JsonValue::Kind kind, std::string text) {
     JsonValue& value = place();
     value.kind = kind;
-    value.line = lines_;
+    value.line = position_.line();
     value.text = std::move(text);
     return true;
   }
   bool open(JsonValue::Kind kind) {
     if (open_.size() == max_depth) {
-      throw InputError(file_, lines_, "values are nested deeper than " + std::to_string(max_depth));
+      throw InputError(file_, position_.line(), "values are nested deeper than " + std::to_string(max_depth));
     }
     JsonValue& value = place();
     value.kind = kind;
-    value.line = lines_;
+    value.line = position_.line();
     open_.push_back(&value);
     return true;
   }
@@ -118,7 +128,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   const std::string& file_;
-  const std::size_t& lines_;
+  const Position& position_;
   // Pointers stay valid: a value only grows while it is the innermost open one.
   std::vector<JsonValue*> open_;
 };
@@ -144,11 +154,11 @@ std::string_view name(JsonValue::Kind kind) {
 }
 
 JsonValue parse_json(const std::string& file, std::string_view bytes) {
-  std::size_t lines = 1;
-  Builder builder(file, lines);
-  CountingIterator begin(bytes.data(), &lines);
-  const CountingIterator end(bytes.data() + bytes.size(), &lines);
-  if (!nlohmann::json::sax_parse(begin, end, &builder)) throw InputError(file, lines, "no JSON");
+  Position position;
+  Builder builder(file, position);
+  CountingIterator begin(bytes.data(), &position);
+  const CountingIterator end(bytes.data() + bytes.size(), &position);
+  if (!nlohmann::json::sax_parse(begin, end, &builder)) throw InputError(file, position.line(), "no JSON");
   return std::move(builder.root);
 }
 

@@ -11,12 +11,12 @@ Mesh read_mesh(const std::string& file, std::string_view bytes, const ReadOption
   if (start == std::string_view::npos) throw InputError(file, 0, "the file is empty");
   if (bytes[start] == '{') return read_bez_json(file, bytes);
   if (bytes[start] == '$') return read_gmsh(file, bytes, options);
-  if (bytes.substr(start).starts_with("\xEF\xBB\xBF")) {
-    throw InputError(file, 0, "the file starts with a UTF-8 byte order mark: expected none");
-  }
+  const bool marked = bytes.substr(start).starts_with("\xEF\xBB\xBF");
   throw InputError(file, 0,
-                   "the format is not known: expected Gmsh .msh (starting with $MeshFormat) or .bez.json "
-                   "(starting with {)");
+                   std::string("the format is not known") +
+                       (marked ? " (the file starts with a UTF-8 byte order mark)" : "") +
+                       ": expected Gmsh .msh (starting with $MeshFormat) or .bez.json "
+                       "(starting with {)");
 }
 
 }  // namespace bezcert

@@ -9,6 +9,7 @@
 //
 // Definition, for x > 0: e is the integer with 22/17 2^e <= x < 22/17 2^(e+1), h = 2^(e+1-bits), and
 //   round_down(x) = h floor(x/h - 5/17) <= x,   round_up(x) = h (floor(x/h + 5/17) + 1) > x.
+// Not monotone where e changes: take extremes first, then round.
 // round_down(0) = round_up(0) = 0; round_down(-x) = -round_up(x), and the other way round.
 #pragma once
 

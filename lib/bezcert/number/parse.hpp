@@ -17,7 +17,8 @@ inline constexpr int max_decimal_exponent = 5000;
 inline constexpr std::size_t max_number_length = 20000;
 
 /// The double nearest to a decimal such as "-1.5e-3" (round to nearest, ties to even); too small for a
-/// double means 0. Nothing if `text` is no decimal from end to end, or not finite, or beyond the range.
+/// double means 0. Nothing if `text` is no decimal from end to end, or not finite, or too large for a double;
+/// too small ones must keep the limits above.
 std::optional<double> parse_binary64(std::string_view text);
 
 /// The exact value of a decimal such as "-1.5e-3". Nothing if `text` is no decimal from end to end or

@@ -1,12 +1,19 @@
 #include "bezcert/number/rational.hpp"
 
-#include <mpfr.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
 namespace bezcert {
+namespace {
+
+Rational power_of_ten(long exponent) {
+  Integer power;
+  mpz_ui_pow_ui(power.backend().data(), 10, static_cast<unsigned long>(std::labs(exponent)));
+  return exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
+}
+
+}  // namespace
 
 Rational exact(double value) {
   if (!std::isfinite(value)) throw std::invalid_argument("exact: the value is not finite");
@@ -42,23 +49,24 @@ std::string to_string(const Rational& value) { return value.str(); }
 
 std::string to_decimal(const Rational& value, int digits) {
   if (value.sign() == 0) return "0";
-  // MPFR gives the digits and the exponent apart, so neither the locale nor the rounding mode enters.
-  mpfr_t number;
-  mpfr_init2(number, 64 + 4 * digits);
-  mpfr_set_q(number, value.backend().data(), MPFR_RNDN);
-  mpfr_exp_t exponent = 0;
-  char* raw = mpfr_get_str(nullptr, &exponent, 10, static_cast<size_t>(digits), number, MPFR_RNDN);
-  std::string mantissa(raw);
-  mpfr_free_str(raw);
-  mpfr_clear(number);
+  // All in integers: |value| = 0.d1 d2 ... 10^exponent, d1 != 0, rounded once to nearest, ties to even.
+  const Rational magnitude = abs(value);
+  const Integer above = numerator(magnitude);
+  const Integer below = denominator(magnitude);
+  long exponent = static_cast<long>(mpz_sizeinbase(above.backend().data(), 10)) -
+                  static_cast<long>(mpz_sizeinbase(below.backend().data(), 10)) - 1;
+  while (magnitude >= power_of_ten(exponent)) ++exponent;
+  const Rational scaled = magnitude * power_of_ten(digits - exponent);
+  Integer rounded = floor(scaled);
+  const Rational rest = scaled - Rational(rounded);
+  if (rest > Rational(1, 2) || (rest == Rational(1, 2) && rounded % 2 != 0)) ++rounded;
+  std::string mantissa = rounded.str();
+  if (mantissa.size() > static_cast<std::size_t>(digits)) ++exponent;  // 9.99 became 10.0
 
   std::string text;
-  if (mantissa.front() == '-') {
-    text = "-";
-    mantissa.erase(0, 1);
-  }
+  if (value.sign() < 0) text = "-";
   while (mantissa.size() > 1 && mantissa.back() == '0') mantissa.pop_back();
-  const auto count = static_cast<mpfr_exp_t>(mantissa.size());
+  const auto count = static_cast<long>(mantissa.size());
   if (exponent > -4 && exponent <= 0) {
     text += "0." + std::string(static_cast<size_t>(-exponent), '0') + mantissa;
   } else if (exponent > 0 && exponent <= 9) {
