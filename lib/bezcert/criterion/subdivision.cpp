@@ -45,7 +45,7 @@ class Search {
 
   // Splits until the sign is settled and the bounds are narrow, or the budget is spent.
   void run() {
-    while (tree_.piece_count() < options_.pieces) {
+    while (tree_.may_split(options_.pieces + 1)) {
       const std::optional<std::size_t> next = choose();
       if (!next) return;
       const JacobianTree::Piece piece = leaves_[*next].piece;
@@ -128,7 +128,8 @@ Verdict subdivision(const Forms& forms, const SubdivisionOptions& options) {
   } else if (search.proved()) {
     verdict.status = Status::proved;
   } else {
-    verdict.reason = "the budget of " + std::to_string(options.pieces) + " pieces ran out";
+    verdict.reason =
+        "the budget of " + std::to_string(options.pieces) + " pieces, or of memory for them, ran out";
   }
   return verdict;
 }

@@ -23,8 +23,11 @@ class SignSearch {
       const JacobianTree::Piece piece = open_[next];
       if (tree_.depth(piece) >= budget_.depth) {
         exhausted_ = "subdivision depth " + std::to_string(budget_.depth);
-      } else if (tree_.piece_count() + 2 > budget_.pieces) {
-        exhausted_ = "subdivision pieces " + std::to_string(budget_.pieces);
+      } else if (!tree_.may_split(budget_.pieces)) {
+        exhausted_ =
+            tree_.piece_count() + 2 > budget_.pieces
+                ? "subdivision pieces " + std::to_string(budget_.pieces)
+                : "subdivision bits " + std::to_string(max_tree_bits) + " (the numbers are too long)";
       } else {
         const auto [first, second] = tree_.split(piece);
         visit(first);
@@ -47,7 +50,7 @@ class SignSearch {
   // Cuts pieces whose smallest coefficient is 0 although N > 0 there, so that the lower bound says so too.
   // Precondition: det J > 0 is proved. Ends because the coefficients converge to N.
   void raise_lower_bound() {
-    for (std::size_t i = 0; i < settled_.size() && tree_.piece_count() + 2 <= budget_.pieces;) {
+    for (std::size_t i = 0; i < settled_.size() && tree_.may_split(budget_.pieces);) {
       if (sign(tree_.bounds(scope_, {&settled_[i], 1}).min_lower) > 0) {
         ++i;
         continue;

@@ -151,6 +151,23 @@ std::pair<JacobianTree::Piece, JacobianTree::Piece> JacobianTree::split(Piece pi
   return {nodes_.size() - 2, nodes_.size() - 1};
 }
 
+bool JacobianTree::may_split(std::size_t limit) {
+  // So few pieces are affordable whatever the numbers: the estimate would cost more than it saves.
+  constexpr std::size_t always = 32;
+  const std::size_t wanted = piece_count() + 2;
+  if (wanted > limit) return false;
+  if (wanted <= always) return true;
+  if (affordable_pieces_ == 0) {
+    std::size_t bits = 0;
+    const JacobianForm<Integer>& whole = forms_.exact_jacobian();
+    for (const auto* coefficients : {&whole.numerator.coefficients, &whole.weight.coefficients}) {
+      for (const Integer& c : *coefficients) bits += mpz_sizeinbase(c.backend().data(), 2) + 64;
+    }
+    affordable_pieces_ = std::max(always, max_tree_bits / bits);
+  }
+  return wanted <= affordable_pieces_;
+}
+
 PieceSigns JacobianTree::signs(const RoundingScope&, Piece piece) {
   if (forms_.filter() == Filter::on) {
     if (const auto certain = certain_signs(form<Interval>(piece).numerator.coefficients, corners_)) {

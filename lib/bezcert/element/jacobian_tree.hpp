@@ -40,6 +40,10 @@ struct PieceForm : JacobianForm<T> {
   int weight_shift = 0;
 };
 
+/// Bits that the exact coefficients of one tree may take (128 MiB): numbers with huge exponents are cut short
+/// by this.
+inline constexpr std::size_t max_tree_bits = std::size_t{1} << 30;
+
 class JacobianTree {
  public:
   using Piece = std::size_t;
@@ -51,6 +55,10 @@ class JacobianTree {
   std::size_t piece_count() const { return nodes_.size(); }
   std::size_t corner_count() const { return corner_count_; }
   int depth(Piece piece) const { return nodes_[piece].depth; }
+  /// Whether two more pieces stay within `limit` pieces and within `max_tree_bits`, estimated from the exact
+  /// coefficients of the whole domain: a function of the element alone, whether or not they were needed so
+  /// far.
+  bool may_split(std::size_t limit);
 
   /// Cuts a piece in two; the children are the two last pieces, in the order of the header.
   std::pair<Piece, Piece> split(Piece piece);
@@ -93,6 +101,7 @@ class JacobianTree {
   std::size_t corner_count_;
   std::vector<std::size_t> corners_;  // positions of the corner coefficients of N
   std::deque<Node> nodes_;
+  std::size_t affordable_pieces_ = 0;  // 0: not known yet
 };
 
 }  // namespace bezcert
