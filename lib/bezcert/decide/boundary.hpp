@@ -1,12 +1,11 @@
 // Whether the boundary of a regular element is a simple closed curve.
 //
 // A regular element is a local homeomorphism of a disc; it is injective if and only if its boundary is simple
-// (docs/decision.md). The boundary's edges are halved until every piece is monotone, neighbours part at
-// their common point, and other pieces have disjoint hulls: then it is simple. Or two pieces certainly
-// cross, or end points of pieces coincide: then it is not. Contacts that are neither (tangential, or
-// at parameters that are not dyadic on one side only) stay open when the budget is spent.
+// (docs/decision.md). Every edge is held against itself and the others (curve/contact.hpp): neighbours may
+// meet at their corner only, other edges nowhere.
 #pragma once
 
+#include "bezcert/curve/contact.hpp"
 #include "bezcert/element/forms.hpp"
 
 #include <optional>
@@ -24,6 +23,8 @@ struct BoundaryRange {
 /// Two parts of the boundary that have an image point in common.
 struct Overlap {
   BoundaryRange first, second;
+  /// Whether the two parts run along each other for a piece.
+  bool along_a_piece = false;
 };
 
 enum class BoundaryStatus { simple, overlapping, open };
@@ -34,15 +35,8 @@ struct BoundaryResult {
   std::string exhausted;           ///< set if open: the budget that ran out
 };
 
-struct BoundaryBudget {
-  /// Pairs of pieces compared.
-  std::size_t pairs = 65536;
-  /// Halvings of an edge for one piece: coordinates grow by the degree in bits with each.
-  int depth = 96;
-};
-
 /// Precondition: the element is regular.
-BoundaryResult examine_boundary(const Forms& forms, const BoundaryBudget& budget = {});
+BoundaryResult examine_boundary(const Forms& forms, const ContactBudget& budget = {});
 
 /// The point of the domain at parameter t of an edge.
 Parameter boundary_parameter(const Element& element, int edge, const Rational& t);

@@ -2,7 +2,7 @@
 
 #include "bezcert/decide/injectivity.hpp"
 
-#include <cassert>
+#include <algorithm>
 
 namespace bezcert {
 namespace {
@@ -17,16 +17,17 @@ class SignSearch {
  public:
   SignSearch(const Forms& forms, const Budget& budget) : budget_(budget), tree_(forms) {}
 
-  void run() {
-    visit(JacobianTree::root);
-    for (std::size_t next = 0; next < open_.size() && !folded(); ++next) {
-      const JacobianTree::Piece piece = open_[next];
+  // Goes on up to `pieces` pieces in all.
+  void run(std::size_t pieces) {
+    if (tree_.piece_count() == 1 && open_.empty() && settled_.empty()) visit(JacobianTree::root);
+    while (done_ < open_.size() && !folded()) {
+      const JacobianTree::Piece piece = open_[done_];
       if (tree_.depth(piece) >= budget_.depth) {
         exhausted_ = "subdivision depth " + std::to_string(budget_.depth);
-      } else if (!tree_.may_split(budget_.pieces)) {
+      } else if (!tree_.may_split(pieces)) {
         exhausted_ =
-            tree_.piece_count() + 2 > budget_.pieces
-                ? "subdivision pieces " + std::to_string(budget_.pieces)
+            tree_.piece_count() + 2 > pieces
+                ? "subdivision pieces " + std::to_string(pieces)
                 : "subdivision bits " + std::to_string(max_tree_bits) + " (the numbers are too long)";
       } else {
         const auto [first, second] = tree_.split(piece);
@@ -61,6 +62,24 @@ class SignSearch {
     }
   }
 
+  // The ranges of a coordinate (0: u, 1: v) of the pieces where N may vanish.
+  Strips strips(std::size_t coordinate) const {
+    Strips result;
+    const std::size_t at = coordinate + (tree_.corner_count() == 3 ? 1 : 0);
+    const auto add = [&](JacobianTree::Piece piece) {
+      Rational lower = tree_.corner(piece, 0)[at], upper = lower;
+      for (std::size_t k = 1; k < tree_.corner_count(); ++k) {
+        const Rational x = tree_.corner(piece, k)[at];
+        lower = std::min(lower, x);
+        upper = std::max(upper, x);
+      }
+      result.emplace_back(lower, upper);
+    };
+    for (const JacobianTree::Piece piece : with_zero_) add(piece);
+    for (std::size_t i = done_; i < open_.size(); ++i) add(open_[i]);
+    return merged(std::move(result));
+  }
+
   DeterminantBounds bounds() {
     std::vector<JacobianTree::Piece> leaves(settled_);
     leaves.insert(leaves.end(), open_.begin() + static_cast<std::ptrdiff_t>(done_), open_.end());
@@ -84,6 +103,7 @@ class SignSearch {
     const bool weak = corner_is_zero && (signs.none_negative || (signs.none_positive && negative_));
     if (strict || weak) {
       settled_.push_back(piece);
+      if (!strict) with_zero_.push_back(piece);
     } else {
       open_.push_back(piece);
     }
@@ -93,6 +113,7 @@ class SignSearch {
   RoundingScope scope_;
   JacobianTree tree_;
   std::vector<JacobianTree::Piece> settled_;
+  std::vector<JacobianTree::Piece> with_zero_;  // those settled ones where N vanishes
   std::vector<JacobianTree::Piece> open_;  // in breadth-first order; the first done_ are split
   std::size_t done_ = 0;
   std::optional<CornerOfPiece> negative_, zero_, positive_;
@@ -106,6 +127,125 @@ ElementVerdict verdict_of(const SignSearch& search) {
   return search.zero() ? ElementVerdict::degenerate : ElementVerdict::regular;
 }
 
+Parameter parameter_of(const Element& element, const std::array<Rational, 2>& uv) {
+  if (!element.is_triangle()) return {uv[0], uv[1]};
+  return {Rational(1 - uv[0] - uv[1]), uv[0], uv[1]};
+}
+
+// The pieces that are looked at before algebra is asked: most elements are settled by a handful, and where N touches
+// zero more of them do not help.
+constexpr std::size_t pieces_before_algebra = 512;
+
+// A strict sign that N takes: one met at a corner, else anywhere on a grid that is fine enough for N's degree.
+int some_sign(const SignSearch& search, const Polynomial<Integer>& n) {
+  if (search.negative()) return -1;
+  if (search.positive()) return 1;
+  const Bivariate powers = to_power_basis(n);
+  const int steps = powers.degree_u() + powers.degree_v() + 2;
+  for (int i = 1; i < steps; ++i) {
+    for (int j = 1; i + j < 2 * steps; ++j) {
+      const int s = sign_at(powers, Rational(i, 2 * steps), Rational(j, 2 * steps));
+      if (s != 0) return s;
+    }
+  }
+  throw std::logic_error("decide: a polynomial that is not 0 vanishes on a grid");
+}
+
+// What subdivision left open, or the dimension of the zero set where it did not.
+void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearch& search, Decision& decision) {
+  const Polynomial<Integer>& n = forms.exact_jacobian().numerator;
+  const Element& element = forms.element();
+  const bool open = decision.verdict == ElementVerdict::undecided;
+  if (std::all_of(n.coefficients.begin(), n.coefficients.end(), [](const Integer& c) { return c.is_zero(); })) {
+    const RealRoot third = {Univariate({Integer(-1), Integer(3)}), Rational(1, 3), Rational(1, 3)};
+    decision.zero = AlgebraicZero{{third, third}, 2};
+    return;
+  }
+  const int met = some_sign(search, n);
+  AlgebraicSigns signs =
+      algebraic_signs(n, -met, search.strips(0), search.strips(1), budget.algebra_bits);
+  if (!signs.exhausted.empty()) {
+    decision.open = "budget: " + signs.exhausted;
+    return;
+  }
+  decision.zero = std::move(signs.zero);
+  if (!open) return;
+  decision.open.clear();
+  decision.sign_proof = "algebra";
+  const auto witness_at = [&](const std::array<Rational, 2>& uv, int expected) {
+    Witness witness = make_witness(element, parameter_of(element, uv));
+    if (sign(witness.determinant) != expected) throw std::logic_error("decide: a witness does not hold");
+    return witness;
+  };
+  if (signs.opposite) {
+    decision.verdict = ElementVerdict::folded;
+    (met > 0 ? decision.witness : decision.other_witness) = witness_at(*signs.opposite, -met);
+  } else if (!decision.zero) {
+    decision.verdict = met > 0 ? ElementVerdict::regular : ElementVerdict::reversed;
+  } else if (met > 0) {
+    decision.verdict = ElementVerdict::degenerate;
+    const PlanarPoint& at = decision.zero->at;
+    if (at.is_rational() && !decision.witness) decision.witness = witness_at({at.u.lower, at.v.lower}, 0);
+  } else {
+    // det J <= 0 with a zero: negative somewhere, not everywhere.
+    decision.verdict = ElementVerdict::folded;
+    const PlanarPoint& at = decision.zero->at;
+    if (at.is_rational() && !decision.other_witness) {
+      decision.other_witness = witness_at({at.u.lower, at.v.lower}, 0);
+    }
+  }
+}
+
+// Dyadic witnesses that the subdivision met, where algebra has not given others.
+void add_witnesses(const Forms& forms, const SignSearch& search, Decision& decision) {
+  const auto witness_at = [&](const CornerOfPiece& place, int expected) {
+    Witness witness = make_witness(forms.element(), search.tree().corner(place.piece, place.corner));
+    // Two independent computations of one sign: evidence that does not hold is never given out.
+    if (sign(witness.determinant) != expected) throw std::logic_error("decide: a witness does not hold");
+    return witness;
+  };
+  if (!decision.witness && search.negative()) decision.witness = witness_at(*search.negative(), -1);
+  if (!decision.witness && search.zero() && decision.verdict != ElementVerdict::regular) {
+    decision.witness = witness_at(*search.zero(), 0);
+  }
+  if (decision.verdict == ElementVerdict::folded && !decision.other_witness) {
+    if (search.positive()) {
+      decision.other_witness = witness_at(*search.positive(), 1);
+    } else if (search.zero()) {
+      decision.other_witness = witness_at(*search.zero(), 0);
+    }
+  }
+}
+
+PlanarPoint point_of(const Parameter& parameter) {
+  const auto exactly = [](const Rational& x) {
+    return RealRoot{Univariate({Integer(-numerator(x)), Integer(denominator(x))}), x, x};
+  };
+  const std::size_t first = parameter.size() == 3 ? 1 : 0;
+  return {exactly(parameter[first]), exactly(parameter[first + 1])};
+}
+
+// The bounds of the subdivision, with what algebra knows.
+void tighten(Decision& decision) {
+  DeterminantBounds& bounds = decision.bounds;
+  const Dyadic zero{};
+  switch (decision.verdict) {
+    case ElementVerdict::regular:
+      if (sign(bounds.min_lower) < 0) bounds.min_lower = zero;
+      break;
+    case ElementVerdict::degenerate:
+      bounds.min_lower = bounds.min_upper = zero;
+      break;
+    case ElementVerdict::reversed:
+      if (sign(bounds.max_upper) > 0) bounds.max_upper = zero;
+      break;
+    default: break;
+  }
+  if (decision.witness && decision.witness->determinant < to_rational(bounds.min_upper)) {
+    bounds.min_upper = round_up(decision.witness->determinant);
+  }
+}
+
 // From regular to injective or overlapping, if a proof or an overlap is found.
 void decide_injectivity(const Forms& forms, const Budget& budget, Decision& decision) {
   if (const auto proof = prove_injective(forms)) {
@@ -113,7 +253,7 @@ void decide_injectivity(const Forms& forms, const Budget& budget, Decision& deci
     decision.injectivity_proof = *proof;
     return;
   }
-  BoundaryResult boundary = examine_boundary(forms, budget.boundary);
+  BoundaryResult boundary = examine_boundary(forms, budget.contact);
   switch (boundary.status) {
     case BoundaryStatus::simple:
       decision.verdict = ElementVerdict::injective;
@@ -156,36 +296,39 @@ bool is_invalid(ElementVerdict verdict) {
 
 Decision decide(const Forms& forms, const Budget& budget) {
   SignSearch search(forms, budget);
-  search.run();
-
   Decision decision;
+  search.run(std::min(budget.pieces, pieces_before_algebra));
   decision.verdict = verdict_of(search);
+  if (decision.verdict == ElementVerdict::undecided && budget.algebra_bits > 0) {
+    decide_by_algebra(forms, budget, search, decision);
+  }
+  std::string algebra_exhausted = std::move(decision.open);
+  if (decision.verdict == ElementVerdict::undecided) {
+    search.run(budget.pieces);
+    decision.verdict = verdict_of(search);
+  }
   decision.pieces = search.tree().piece_count();
+  if (decision.sign_proof.empty()) decision.sign_proof = decision.pieces == 1 ? "coefficients" : "subdivision";
   decision.bounds = search.bounds();
   if (decision.verdict == ElementVerdict::regular && sign(decision.bounds.min_lower) <= 0) {
     search.raise_lower_bound();
     decision.bounds = search.bounds();
   }
-  decision.sign_proof = decision.pieces == 1 ? "coefficients" : "subdivision";
-  const auto witness_at = [&](const CornerOfPiece& place, int expected) {
-    Witness witness = make_witness(forms.element(), search.tree().corner(place.piece, place.corner));
-    // Two independent computations of one sign: evidence that does not hold is never given out.
-    if (sign(witness.determinant) != expected) throw std::logic_error("decide: a witness does not hold");
-    return witness;
-  };
-  if (search.negative()) {
-    decision.witness = witness_at(*search.negative(), -1);
-  } else if (search.zero()) {
-    decision.witness = witness_at(*search.zero(), 0);
+  add_witnesses(forms, search, decision);
+  switch (decision.verdict) {
+    case ElementVerdict::undecided:
+      decision.open = "budget: " + search.exhausted();
+      if (!algebra_exhausted.empty()) decision.open += "; " + algebra_exhausted;
+      if (search.negative()) decision.open += " (folded or reversed)";
+      break;
+    case ElementVerdict::degenerate:
+      if (!decision.zero && budget.algebra_bits > 0) decide_by_algebra(forms, budget, search, decision);
+      decision.open.clear();
+      if (!decision.zero) decision.zero = AlgebraicZero{point_of(decision.witness->parameter), -1};
+      break;
+    default: break;
   }
-  if (decision.verdict == ElementVerdict::folded) {
-    decision.other_witness =
-        search.positive() ? witness_at(*search.positive(), 1) : witness_at(*search.zero(), 0);
-  }
-  if (decision.verdict == ElementVerdict::undecided) {
-    decision.open = "budget: " + search.exhausted();
-    if (search.negative()) decision.open += " (folded or reversed)";
-  }
+  tighten(decision);
   if (decision.verdict == ElementVerdict::regular) decide_injectivity(forms, budget, decision);
   return decision;
 }

@@ -3,10 +3,12 @@
 // Theorem used (docs/decision.md): let S be the set of signs that det J takes on the closed element. S = {+}
 // is regular; {0} or {0,+} degenerate; {-} reversed; every other S folded. Subdivision of the Jacobian
 // numerator finds S: on a piece whose coefficients have one sign, the signs of N are known; a corner of a
-// piece gives the sign at a dyadic parameter. All signs are exact (intervals first, integers where they do
-// not suffice). What is open when the budget is spent is `undecided`, never a guess.
+// piece gives the sign at a dyadic parameter. Where N touches zero, or nearly so, subdivision does not end: what it
+// leaves open goes to algebra (algebraic.hpp). All signs are exact. What is open when a budget is spent is
+// `undecided`, never a guess.
 #pragma once
 
+#include "bezcert/decide/algebraic.hpp"
 #include "bezcert/decide/boundary.hpp"
 #include "bezcert/element/forms.hpp"
 #include "bezcert/proof/verdict.hpp"
@@ -35,23 +37,27 @@ bool is_invalid(ElementVerdict verdict);
 struct Budget {
   /// Pieces of the subdivision of N.
   std::size_t pieces = 4096;
-  BoundaryBudget boundary;
   /// Halvings of the domain for one piece.
   int depth = 96;
+  /// The largest resultant that algebra is asked about, in bits: degree times bits of a coefficient. 0: no algebra.
+  std::size_t algebra_bits = std::size_t{1} << 25;
+  ContactBudget contact;
 };
 
 struct Decision {
   ElementVerdict verdict = ElementVerdict::undecided;
-  /// folded, reversed: det J < 0 there. degenerate: det J = 0 there. undecided: the lowest value met, if
-  /// it is not positive.
+  /// folded, reversed: det J < 0 there. degenerate: det J = 0 there, if a rational zero is known (`zero` tells
+  /// otherwise). undecided: the lowest value met, if it is not positive.
   std::optional<Witness> witness;
   /// folded: a parameter with det J >= 0, so that the element is not reversed.
   std::optional<Witness> other_witness;
+  /// degenerate: the zero set of det J; its dimension is -1 if the budget for algebra is too small to tell.
+  std::optional<AlgebraicZero> zero;
   /// overlapping: two parts of the boundary with a common image point.
   std::optional<Overlap> overlap;
   /// Proven bounds of min and max det J, as the subdivision left them.
   DeterminantBounds bounds;
-  /// What proved it: "coefficients" or "subdivision" for the sign; for injective also how
+  /// What proved it: "coefficients", "subdivision" or "algebra" for the sign; for injective also how
   /// (injectivity.hpp), or "boundary" (boundary.hpp).
   std::string_view sign_proof;
   std::string_view injectivity_proof;

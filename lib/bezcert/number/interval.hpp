@@ -30,6 +30,19 @@ class RoundingScope {
   Interval::Protector protector_;
 };
 
+/// While one of these lives, the thread rounds to nearest: for libraries that count on it, even inside a RoundingScope.
+/// (CGAL's own functions, because std::fegetround does not see the mode that a RoundingScope sets.)
+class NearestRounding {
+ public:
+  NearestRounding() : before_(CGAL::FPU_get_and_set_cw(CGAL_FE_TONEAREST)) {}
+  ~NearestRounding() { CGAL::FPU_set_cw(before_); }
+  NearestRounding(const NearestRounding&) = delete;
+  NearestRounding& operator=(const NearestRounding&) = delete;
+
+ private:
+  CGAL::FPU_CW_t before_;
+};
+
 /// The sign of every number in the interval if they all have the same one, else nothing.
 inline std::optional<int> certain_sign(const Interval& value) {
   if (value.inf() > 0) return 1;

@@ -1,5 +1,7 @@
 #include "bezcert/number/parse.hpp"
 
+#include "bezcert/number/interval.hpp"
+
 #include <CGAL/FPU.h>
 
 #include <charconv>
@@ -68,19 +70,6 @@ Rational value_of(const Decimal& decimal) {
   return Rational(digits, power_of_ten(-decimal.exponent));
 }
 
-// libstdc++'s from_chars rounds in the current mode on its fast path: round to nearest while this lives.
-// (CGAL's own functions, because std::fegetround does not see the mode that a RoundingScope sets.)
-class NearestRounding {
- public:
-  NearestRounding() : before_(CGAL::FPU_get_and_set_cw(CGAL_FE_TONEAREST)) {}
-  ~NearestRounding() { CGAL::FPU_set_cw(before_); }
-  NearestRounding(const NearestRounding&) = delete;
-  NearestRounding& operator=(const NearestRounding&) = delete;
-
- private:
-  CGAL::FPU_CW_t before_;
-};
-
 }  // namespace
 
 std::optional<double> parse_binary64(std::string_view text) {
@@ -88,6 +77,7 @@ std::optional<double> parse_binary64(std::string_view text) {
     text.remove_prefix(1);
     if (!text.empty() && (text.front() == '-' || text.front() == '+')) return std::nullopt;
   }
+  // libstdc++'s from_chars rounds in the current mode on its fast path.
   const NearestRounding nearest;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

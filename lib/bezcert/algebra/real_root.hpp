@@ -1,0 +1,41 @@
+// Real roots of integer polynomials: isolated by Descartes' rule in the Bernstein basis, refined by bisection.
+//
+// The number of sign changes of the Bernstein coefficients over an interval bounds the number of roots in its
+// interior and has the same parity (Descartes, Vincent); 0 changes: no root, 1 change: exactly one. For square-free
+// polynomials halving ends (one- and two-circle theorems). Every root is either known exactly, as a
+// rational, or alone in an open interval at whose ends the polynomial has opposite signs.
+#pragma once
+
+#include "bezcert/algebra/univariate.hpp"
+
+namespace bezcert {
+
+/// A real algebraic number: lower == upper is its value, or it is the only root of `polynomial` in the open
+/// interval (lower, upper), and a simple one.
+struct RealRoot {
+  Univariate polynomial;
+  Rational lower, upper;
+
+  bool is_rational() const { return lower == upper; }
+  /// Halves the interval.
+  void refine();
+  /// Halves until upper - lower <= width. Precondition: width > 0.
+  void refine_to(const Rational& width);
+};
+
+/// The different roots in the closed interval [lower, upper], in ascending order; their intervals lie in
+/// [lower, upper] and are disjoint except for common end points. Precondition: f is square-free (and not 0),
+/// lower < upper.
+std::vector<RealRoot> roots_in(const Univariate& f, const Rational& lower, const Rational& upper);
+
+/// The fraction of the smallest denominator in [lower, upper]. Precondition: lower <= upper.
+Rational simplest_between(const Rational& lower, const Rational& upper);
+
+/// If an irreducible polynomial has degree 1, its root.
+Rational root_of_linear(const Univariate& f);
+
+/// The irreducible factor of `root.polynomial` that vanishes at the root, with the root's interval; exact if that
+/// factor is linear.
+RealRoot with_minimal_polynomial(RealRoot root);
+
+}  // namespace bezcert

@@ -1,0 +1,97 @@
+#include "bezcert/decide/algebraic.hpp"
+
+#include <algorithm>
+
+namespace bezcert {
+namespace {
+
+using Point = std::array<Rational, 2>;
+
+// Bits of the largest resultant that zero_set may compute of h: degree times size of a coefficient.
+std::size_t resultant_bits(const Bivariate& h) {
+  std::size_t longest = 1;
+  for (const Univariate& row : h.by_v) {
+    for (const Integer& c : row.coefficients) {
+      longest = std::max(longest, mpz_sizeinbase(c.backend().data(), 2));
+    }
+  }
+  const int smaller = std::min(h.degree_u(), h.degree_v());
+  if (smaller <= 0) return longest;
+  return static_cast<std::size_t>(zero_set_degree(h)) * static_cast<std::size_t>(2 * smaller - 1) * longest;
+}
+
+// Where N has the sign `wanted` on a column u = constant, between roots of N there.
+std::optional<Rational> place_on_column(const Univariate& column, int wanted, const Rational& top) {
+  if (column.is_zero()) return std::nullopt;
+  std::vector<RealRoot> marks = {RealRoot{Univariate(), 0, 0}};
+  if (column.degree() > 0) {
+    for (RealRoot& root : roots_in(square_free_part(column), 0, top)) marks.push_back(std::move(root));
+  }
+  marks.push_back({Univariate(), top, top});
+  for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
+    RealRoot& a = marks[i];
+    RealRoot& b = marks[i + 1];
+    if (a.is_rational() && b.is_rational() && a.lower == b.lower) continue;
+    while (!(a.upper < b.lower)) {
+      a.refine();
+      b.refine();
+    }
+    const Rational quarter = (b.lower - a.upper) / 4;
+    const Rational v = simplest_between(a.upper + quarter, b.lower - quarter);
+    if (sign_at(column, v) == wanted) return v;
+  }
+  return std::nullopt;
+}
+
+// A point with the wanted sign near the curve along which a factor of odd multiplicity changes its sign. All but
+// finitely many columns of the cell have one: other factors vanish on the curve at finitely many points only.
+Point place_near(const Polynomial<Integer>& n, const Bivariate& powers, int wanted, const ZeroSet& zeros) {
+  const Bivariate in_columns = zeros.column_is_u ? powers : swapped(powers);
+  const auto& [lower, upper] = zeros.cell;
+  for (int parts = 2;; ++parts) {
+    for (int k = 1; k < parts; ++k) {
+      const Rational u = simplest_between(lower + (upper - lower) * Rational(4 * k - 1, 4 * parts),
+                                          lower + (upper - lower) * Rational(4 * k + 1, 4 * parts));
+      const Rational top = n.shape.domain == Domain::triangle ? Rational(1 - u) : Rational(1);
+      if (const auto v = place_on_column(at_u(in_columns, u), wanted, top)) {
+        return zeros.column_is_u ? Point{u, *v} : Point{*v, u};
+      }
+    }
+  }
+}
+
+}  // namespace
+
+AlgebraicSigns algebraic_signs(const Polynomial<Integer>& n, int wanted, const Strips& strips_u,
+                               const Strips& strips_v, std::size_t budget_bits) {
+  const Bivariate powers = to_power_basis(n);
+  AlgebraicSigns result;
+  const auto factors = irreducible_factors(powers);
+  for (const auto& [factor, multiplicity] : factors) {
+    const std::size_t bits = resultant_bits(factor);
+    if (bits <= budget_bits) continue;
+    result.exhausted = "algebra bits " + std::to_string(budget_bits) + " (a factor of N of degree " +
+                       std::to_string(factor.degree_u()) + " in u and " + std::to_string(factor.degree_v()) +
+                       " in v needs " + std::to_string(bits) + ")";
+    return result;
+  }
+  for (const auto& [factor, multiplicity] : factors) {
+    ZeroSet zeros = zero_set(factor, n.shape.domain, strips_u, strips_v);
+    if (zeros.changes_sign && multiplicity % 2 == 1) {
+      result.opposite = place_near(n, powers, wanted, zeros);
+      result.zero.reset();
+      return result;
+    }
+    for (PlanarPoint& zero : zeros.zeros) {
+      if (!result.zero) {
+        result.zero = AlgebraicZero{std::move(zero), zeros.dimension};
+      } else if (zero.is_rational() && !result.zero->at.is_rational()) {
+        result.zero->at = std::move(zero);  // the better evidence
+      }
+      result.zero->dimension = std::max(result.zero->dimension, zeros.dimension);
+    }
+  }
+  return result;
+}
+
+}  // namespace bezcert
