@@ -1,5 +1,6 @@
 #include "bezcert/algebra/fiber.hpp"
 
+#include "bezcert/algebra/field_gcd.hpp"
 #include "bezcert/algebra/flint_types.hpp"
 
 #include <algorithm>
@@ -57,7 +58,11 @@ class Fiber::Implementation {
     const NearestRounding nearest;
     const FlintPolynomial minimal(alpha_.polynomial);
     fmpq_poly_set_fmpz_poly(modulus_.get(), minimal.value);
-    for (const Bivariate& f : polynomials) divisor_ = common_divisor(divisor_, line_of(f));
+    if (alpha_.is_rational()) {
+      for (const Bivariate& f : polynomials) divisor_ = common_divisor(divisor_, line_of(f));
+    } else {
+      for (const FieldVector& c : field_gcd(alpha_.polynomial, polynomials)) divisor_.push_back(element(c));
+    }
     if (divisor_.size() < 2) return;
     Line slope = differentiated(divisor_);
     const Line multiple = common_divisor(divisor_, slope);
@@ -86,6 +91,13 @@ class Fiber::Implementation {
     return number - (at_high ? 1 : 0);
   }
 
+  static FieldElement element(const FieldVector& coefficients) {
+    FieldElement result;
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      fmpq_poly_set_coeff_mpq(result.get(), static_cast<slong>(k), coefficients[k].backend().data());
+    }
+    return result;
+  }
   FieldElement element(const Univariate& f) const { return reduced(FieldElement(f)); }
   FieldElement element(const Rational& x) const {
     FieldElement result(Univariate({Integer(numerator(x))}));

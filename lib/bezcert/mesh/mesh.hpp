@@ -38,6 +38,11 @@ class Mesh {
   /// Names and expected verdicts of elements (.bez.json); empty, or one an element.
   std::vector<std::string> names;
   std::vector<std::string> expected;
+  /// Whether elements are neighbours by common nodes (.msh); otherwise by edges that are exactly equal, and corners
+  /// are one vertex if they are one point (.bez.json with elements that list their own points).
+  bool glued_by_nodes = true;
+  /// The numbers that the file gives its nodes; empty if it has none (then they are their places, from 0).
+  std::vector<std::uint64_t> node_tags;
   IgnoredCells ignored;
   /// What was assumed when reading: for reports.
   std::string basis_name;
@@ -45,6 +50,9 @@ class Mesh {
 
   /// The i-th element with its own copy of its points. Throws std::invalid_argument as Element does.
   Element element(std::size_t i) const;
+
+  /// What the file calls a node.
+  std::uint64_t node_number(std::uint32_t node) const { return node_tags.empty() ? node : node_tags[node]; }
 };
 
 }  // namespace bezcert

@@ -1,0 +1,96 @@
+#include "bezcert/curve/winding.hpp"
+
+#include "bezcert/curve/separation.hpp"
+
+namespace bezcert {
+namespace {
+
+template <class T>
+struct HomogeneousPoint {
+  T x, y, w;
+};
+
+template <class T>
+Vector2<T> from_point(const HomogeneousPoint<T>& p, const CurveNet<T>& net, std::size_t i) {
+  return {net.x[i] * p.w - p.x * net.w[i], net.y[i] * p.w - p.y * net.w[i]};
+}
+
+template <class T>
+bool is_outside_hull(const HomogeneousPoint<T>& p, const CurveNet<T>& net) {
+  std::vector<Vector2<T>> vectors;
+  for (std::size_t i = 0; i < net.size(); ++i) vectors.push_back(from_point(p, net, i));
+  return in_open_half_plane(vectors);
+}
+
+// The chord's crossing of the ray.
+template <class T>
+int crossing(const HomogeneousPoint<T>& p, const CurveNet<T>& net) {
+  const Vector2<T> a = from_point(p, net, 0);
+  const Vector2<T> b = from_point(p, net, net.size() - 1);
+  const bool a_above = sign_of(a.y) > 0, b_above = sign_of(b.y) > 0;
+  if (a_above == b_above) return 0;
+  const int turn = sign_of(cross(a, b));
+  if (b_above) return turn > 0 ? 1 : 0;
+  return turn < 0 ? -1 : 0;
+}
+
+// All control points are above the ray's line, or none is, or all are left of the point: no crossing, however the
+// piece runs. (On the line counts as below.)
+template <class T>
+bool misses_ray(const HomogeneousPoint<T>& p, const CurveNet<T>& net) {
+  bool above = true, not_above = true, left = true;
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    const Vector2<T> v = from_point(p, net, i);
+    if (sign_of(v.y) > 0) {
+      not_above = false;
+    } else {
+      above = false;
+    }
+    left = left && sign_of(v.x) < 0;
+  }
+  return above || not_above || left;
+}
+
+struct Ray {
+  HomogeneousPoint<Interval> interval;
+  HomogeneousPoint<Integer> exact;
+};
+
+// predicate(point, net) on intervals, or exactly.
+template <class Predicate>
+auto filtered_at(DyadicCurve& curve, DyadicCurve::Piece piece, const Ray& ray, Predicate predicate) {
+  if (curve.has_interval()) {
+    try {
+      return predicate(ray.interval, curve.interval(piece));
+    } catch (const UncertainSign&) {
+    }
+  }
+  return predicate(ray.exact, curve.exact(piece));
+}
+
+}  // namespace
+
+std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int depth) {
+  const RoundingScope scope;
+  const Integer w = lcm(Integer(denominator(point.x)), Integer(denominator(point.y)));
+  const auto scaled = [&](const Rational& c) { return Integer(Integer(numerator(c)) * (w / denominator(c))); };
+  const Ray ray{{to_interval(point.x), to_interval(point.y), Interval(1)}, {scaled(point.x), scaled(point.y), w}};
+  int sum = 0;
+  std::vector<DyadicCurve::Piece> pieces = {DyadicCurve::whole};
+  while (!pieces.empty()) {
+    const DyadicCurve::Piece piece = pieces.back();
+    pieces.pop_back();
+    if (filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return misses_ray(p, net); })) continue;
+    if (filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return is_outside_hull(p, net); })) {
+      sum += filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return crossing(p, net); });
+      continue;
+    }
+    if (curve.depth(piece) >= depth) return std::nullopt;
+    const auto [first, second] = curve.halves(piece);
+    pieces.push_back(first);
+    pieces.push_back(second);
+  }
+  return sum;
+}
+
+}  // namespace bezcert

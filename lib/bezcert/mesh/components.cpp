@@ -1,0 +1,148 @@
+#include "bezcert/mesh/components.hpp"
+
+#include "bezcert/curve/winding.hpp"
+#include "bezcert/mesh/box_sweep.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace bezcert {
+namespace {
+
+class ComponentCheck {
+ public:
+  ComponentCheck(const MeshEdges& edges, const Gluing& gluing, const Components& components,
+                 const std::vector<BoundaryLoop>& loops, ObstacleList& obstacles)
+      : edges_(edges), gluing_(gluing), components_(components), loops_(loops), obstacles_(obstacles) {
+    loops_of_.resize(components.count);
+    for (std::size_t i = 0; i < loops.size(); ++i) loops_of_[loops[i].component].push_back(i);
+  }
+
+  ComponentSummary run(const CornersByVertex& corners, const Fans& fans) {
+    ComponentSummary result;
+    outer_.assign(components_.count, 0);
+    std::vector<std::size_t> outer_loops(components_.count, 0);
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+      const LoopArea area = loop_area(edges_, loops_[i]);
+      result.area.lower += area.bounds.lower;
+      result.area.upper += area.bounds.upper;
+      if (area.orientation < 0) {
+        ++result.holes;
+      } else {
+        ++outer_loops[loops_[i].component];
+        outer_[loops_[i].component] = i;
+      }
+    }
+    const std::vector<long> characteristics = euler_characteristics(edges_, gluing_, corners, components_);
+    std::map<std::uint32_t, std::vector<std::uint32_t>> cusps;
+    for (const std::uint32_t vertex : fans.cusps) {
+      cusps[component_at(corners.corners[corners.start[vertex]])].push_back(vertex);
+    }
+    for (std::uint32_t component = 0; component < components_.count; ++component) {
+      const auto genus_0 = characteristics[component] == 2 - static_cast<long>(loops_of_[component].size());
+      if (outer_loops[component] == 1 && genus_0) continue;
+      if (!cusps.contains(component)) {
+        throw std::logic_error("component " + std::to_string(component + 1) + " of the mesh has " +
+                               std::to_string(outer_loops[component]) +
+                               " outer loops, against a theorem: a defect of bezcert");
+      }
+      for (const std::uint32_t vertex : cusps[component]) folded_cusp(corners, vertex);
+    }
+    if (obstacles_.empty()) check_pairs();
+    return result;
+  }
+
+ private:
+  std::uint32_t component_at(EdgeUse use) const { return components_.of_element[edges_.element(use)]; }
+
+  void folded_cusp(const CornersByVertex& corners, std::uint32_t vertex) {
+    MeshObstacle result;
+    result.kind = MeshVerdict::folded_vertex;
+    for (std::uint32_t i = corners.start[vertex]; i < corners.start[vertex + 1]; ++i) {
+      result.elements.push_back(edges_.element(corners.corners[i]));
+    }
+    name_nodes(edges_, {vertex}, result);
+    result.message = elements_text(edges_.mesh(), result.elements) + " make one full turn around the boundary vertex " +
+                     node_text(edges_, vertex) + " and may overlap behind it";
+    result.hint = "its component winds over itself at one or more of the vertices with a full turn";
+    obstacles_.add(std::move(result));
+  }
+
+  // Two components overlap if and only if the outer loop of one lies in the other (docs/mesh.md): one vertex tells.
+  void check_pairs() {
+    std::vector<Box> boxes;
+    for (std::size_t component = 0; component < components_.count; ++component) {
+      boxes.push_back(box_of(loops_[outer_[component]]));
+    }
+    for_overlapping_boxes(boxes, [&](std::size_t a, std::size_t b) {
+      if (!is_inside(a, b)) is_inside(b, a);
+      return obstacles_.wants(MeshVerdict::overlapping_boundary);
+    });
+  }
+
+  Box box_of(const BoundaryLoop& loop) const {
+    const RoundingScope scope;
+    Box box = edges_.box(loop.uses[0]);
+    for (const EdgeUse use : loop.uses) {
+      const Box other = edges_.box(use);
+      box = {std::min(box.x_low, other.x_low), std::max(box.x_high, other.x_high), std::min(box.y_low, other.y_low),
+             std::max(box.y_high, other.y_high)};
+    }
+    return box;
+  }
+
+  // Whether the outer loop of `inner` lies in `outer`; then it is an obstacle.
+  bool is_inside(std::size_t inner, std::size_t outer) {
+    const EdgeUse there = loops_[outer_[inner]].uses[0];
+    const std::uint32_t vertex = gluing_.begin[there];
+    const Point point = edges_.point(vertex);
+    int winding = 0;
+    for (const std::size_t loop : loops_of_[outer]) {
+      for (const EdgeUse use : loops_[loop].uses) {
+        const RoundingScope scope;
+        DyadicCurve curve = edges_.curve(use);
+        const std::optional<int> share = winding_share(curve, point);
+        if (!share) {
+          MeshObstacle open;
+          open.kind = MeshVerdict::undecided;
+          open.message = "whether component " + std::to_string(inner + 1) + " lies in component " +
+                         std::to_string(outer + 1) + " is open: winding depth";
+          obstacles_.add(std::move(open));
+          return false;
+        }
+        winding += *share;
+      }
+    }
+    if (winding == 0) return false;
+    MeshObstacle result;
+    result.kind = MeshVerdict::overlapping_boundary;
+    result.elements = {edges_.element(there), edges_.element(loops_[outer_[outer]].uses[0])};
+    name_nodes(edges_, {vertex}, result);
+    result.message = "component " + std::to_string(inner + 1) + " (with element " +
+                     std::to_string(edges_.element_number(there)) + ", " + node_text(edges_, vertex) +
+                     ") lies inside component " + std::to_string(outer + 1) + " (with element " +
+                     std::to_string(edges_.element_number(loops_[outer_[outer]].uses[0])) + ")";
+    result.hint = "two parts of the mesh cover the same region";
+    obstacles_.add(std::move(result));
+    return true;
+  }
+
+  const MeshEdges& edges_;
+  const Gluing& gluing_;
+  const Components& components_;
+  const std::vector<BoundaryLoop>& loops_;
+  ObstacleList& obstacles_;
+  std::vector<std::vector<std::size_t>> loops_of_;
+  std::vector<std::size_t> outer_;  // the counter-clockwise loop of each component
+};
+
+}  // namespace
+
+ComponentSummary check_components(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                                  const Fans& fans, const Components& components,
+                                  const std::vector<BoundaryLoop>& loops, ObstacleList& obstacles) {
+  return ComponentCheck(edges, gluing, components, loops, obstacles).run(corners, fans);
+}
+
+}  // namespace bezcert

@@ -1,0 +1,67 @@
+#include "bezcert/mesh/embedding.hpp"
+
+#include "bezcert/mesh/boundary_contacts.hpp"
+#include "bezcert/mesh/components.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace bezcert {
+namespace {
+
+// One obstacle for all elements of a state: it names the first few.
+void list_elements(const Mesh& mesh, std::span<const ElementState> states, ElementState state, MeshVerdict kind,
+                   const std::string& what, ObstacleList& obstacles) {
+  constexpr std::size_t listed = 10;
+  MeshObstacle obstacle;
+  obstacle.kind = kind;
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < states.size(); ++i) {
+    if (states[i] == state && ++count <= listed) obstacle.elements.push_back(i);
+  }
+  if (count == 0) return;
+  std::vector<std::uint32_t> shown = obstacle.elements;
+  obstacle.message = elements_text(mesh, shown);
+  if (count > shown.size()) obstacle.message += " and others, " + std::to_string(count) + " in all,";
+  obstacle.message += (count == 1 ? " is " : " are ") + what;
+  obstacles.add(std::move(obstacle));
+  for (std::size_t more = 1; more < count; ++more) obstacles.add_unnamed(kind);
+}
+
+}  // namespace
+
+MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states) {
+  if (states.size() != mesh.elements.size()) throw std::invalid_argument("examine_mesh: one state an element");
+  MeshResult result;
+  ObstacleList& obstacles = result.obstacles;
+  list_elements(mesh, states, ElementState::invalid, MeshVerdict::invalid_element, "not injective", obstacles);
+  list_elements(mesh, states, ElementState::open, MeshVerdict::undecided, "not decided", obstacles);
+  const bool all_injective = obstacles.empty();
+
+  const MeshEdges edges(mesh);
+  const Gluing gluing = glue(edges, obstacles);
+  const CornersByVertex corners = corners_by_vertex(edges, gluing);
+  Fans fans = link_fans(edges, gluing, corners, obstacles);
+  const Components components = find_components(edges, gluing);
+  result.components = components.count;
+  if (all_injective) {
+    check_turns(edges, gluing, corners, fans, obstacles);
+    check_boundary(edges, gluing, fans, obstacles);
+  }
+  if (std::find(fans.bad.begin(), fans.bad.end(), true) == fans.bad.end()) {
+    const std::vector<BoundaryLoop> loops = find_loops(edges, gluing, fans, components);
+    result.loops = loops.size();
+    if (obstacles.empty()) {
+      const ComponentSummary summary =
+          check_components(edges, gluing, corners, fans, components, loops, obstacles);
+      if (obstacles.empty()) {
+        result.holes = summary.holes;
+        result.area = summary.area;
+      }
+    }
+  }
+  result.verdict = obstacles.verdict();
+  return result;
+}
+
+}  // namespace bezcert

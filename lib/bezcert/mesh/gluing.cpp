@@ -1,0 +1,203 @@
+#include "bezcert/mesh/gluing.hpp"
+
+#include "bezcert/curve/same_curve.hpp"
+#include "bezcert/mesh/curve_parameters.hpp"
+#include "bezcert/mesh/edge_distance.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace bezcert {
+namespace {
+
+// For every corner its node, or the first of the corner nodes at exactly the same point.
+std::vector<std::uint32_t> begin_vertices(const MeshEdges& edges) {
+  const Mesh& mesh = edges.mesh();
+  std::vector<std::uint32_t> result(edges.count());
+  for (EdgeUse use = 0; use < edges.count(); ++use) result[use] = edges.begin_node(use);
+  if (mesh.glued_by_nodes) return result;
+
+  std::vector<std::uint32_t> nodes = result;
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const bool doubles = mesh.x.binary64() && mesh.y.binary64();
+  const auto compare = [&](std::uint32_t a, std::uint32_t b) {
+    if (doubles) {
+      const auto key = [&](std::uint32_t n) { return std::pair(mesh.x.doubles()[n], mesh.y.doubles()[n]); };
+      return key(a) < key(b) ? -1 : key(b) < key(a) ? 1 : 0;
+    }
+    const Rational xa = mesh.x[a], xb = mesh.x[b];
+    if (xa != xb) return xa < xb ? -1 : 1;
+    const Rational ya = mesh.y[a], yb = mesh.y[b];
+    return ya < yb ? -1 : ya == yb ? 0 : 1;
+  };
+  std::sort(nodes.begin(), nodes.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const int order = compare(a, b);
+    return order != 0 ? order < 0 : a < b;
+  });
+  std::vector<std::uint32_t> vertex(mesh.x.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const bool same = i > 0 && compare(nodes[i - 1], nodes[i]) == 0;
+    vertex[nodes[i]] = same ? vertex[nodes[i - 1]] : nodes[i];
+  }
+  for (std::uint32_t& node : result) node = vertex[node];
+  return result;
+}
+
+// One use in a group, with its direction: forward leads from the smaller to the larger vertex.
+struct Use {
+  std::uint32_t other = 0;  // the larger vertex
+  EdgeUse use = 0;
+  bool forward = true;
+};
+
+class Gluer {
+ public:
+  Gluer(const MeshEdges& edges, ObstacleList& obstacles) : edges_(edges), obstacles_(obstacles) {}
+
+  Gluing run() {
+    gluing_.begin = begin_vertices(edges_);
+    gluing_.twin.assign(edges_.count(), no_edge);
+    gluing_.faulty.assign(edges_.count(), false);
+    // Buckets by the smaller vertex, in each sorted by the larger: linear for a mesh, whose vertices have few edges.
+    std::vector<std::uint32_t> start(edges_.mesh().x.size() + 2, 0);
+    for (EdgeUse use = 0; use < edges_.count(); ++use) ++start[smaller(use) + 2];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<Use> uses(edges_.count());
+    for (EdgeUse use = 0; use < edges_.count(); ++use) {
+      const std::uint32_t a = gluing_.begin[use], b = gluing_.end(edges_, use);
+      uses[start[std::min(a, b) + 1]++] = {std::max(a, b), use, a < b};
+    }
+    for (std::size_t bucket = 0; bucket + 1 < start.size(); ++bucket) {
+      const auto begin = uses.begin() + start[bucket], end = uses.begin() + start[bucket + 1];
+      std::sort(begin, end,
+                [](const Use& a, const Use& b) { return std::tie(a.other, a.use) < std::tie(b.other, b.use); });
+      for (auto first = begin; first != end;) {
+        auto last = first;
+        while (last != end && last->other == first->other) ++last;
+        if (last - first > 1) group({first, last});
+        first = last;
+      }
+    }
+    return std::move(gluing_);
+  }
+
+ private:
+  std::uint32_t smaller(EdgeUse use) const {
+    return std::min(gluing_.begin[use], gluing_.end(edges_, use));
+  }
+
+  // All uses between two vertices.
+  void group(const std::vector<Use>& uses) {
+    // An edge from a vertex to itself: its element is degenerate, and directions mean nothing.
+    if (gluing_.begin[uses[0].use] == gluing_.end(edges_, uses[0].use)) return;
+    std::vector<std::vector<Use>> classes;
+    for (const Use& use : uses) {
+      const auto found = std::find_if(classes.begin(), classes.end(),
+                                      [&](const auto& one) { return same(one.front(), use); });
+      if (found == classes.end()) {
+        classes.push_back({use});
+      } else {
+        found->push_back(use);
+      }
+    }
+    std::vector<Use> single;
+    for (const auto& one : classes) {
+      if (one.size() == 1) {
+        single.push_back(one.front());
+      } else if (one.size() == 2 && one[0].forward != one[1].forward) {
+        gluing_.twin[one[0].use] = one[1].use;
+        gluing_.twin[one[1].use] = one[0].use;
+      } else {
+        not_manifold(one);
+      }
+    }
+    if (single.size() == 2 && single[0].forward != single[1].forward) not_conforming(single);
+  }
+
+  CurveNet<Integer> forward_curve(const Use& use) const {
+    CurveNet<Integer> net = edges_.exact(use.use);
+    return use.forward ? net : reversed(net);
+  }
+
+  bool same(const Use& a, const Use& b) const {
+    if (edges_.basis(a.use) == edges_.basis(b.use)) {
+      std::vector<std::uint32_t> na = edges_.nodes(a.use), nb = edges_.nodes(b.use);
+      if (a.forward != b.forward) std::reverse(nb.begin(), nb.end());
+      if (na == nb) return true;
+    }
+    return same_curve(forward_curve(a), forward_curve(b));
+  }
+
+  MeshObstacle obstacle(MeshVerdict kind, const std::vector<Use>& uses) {
+    MeshObstacle result;
+    result.kind = kind;
+    for (const Use& use : uses) {
+      gluing_.faulty[use.use] = true;
+      result.elements.push_back(edges_.element(use.use));
+    }
+    const std::uint32_t a = gluing_.begin[uses[0].use], b = gluing_.end(edges_, uses[0].use);
+    name_nodes(edges_, {a, b}, result);
+    result.message = elements_text(edges_.mesh(), result.elements);
+    where_ = "the edge from " + node_text(edges_, a) + " to " + node_text(edges_, b);
+    return result;
+  }
+
+  void not_manifold(const std::vector<Use>& uses) {
+    MeshObstacle result = obstacle(MeshVerdict::non_manifold, uses);
+    if (uses.size() > 2) {
+      result.message += " share " + where_ + ": an edge has two elements at most";
+      result.hint = "an element is there twice, or sheets of elements meet as they do in a surface in space";
+    } else {
+      result.message += " share " + where_ + " and both lie on the same side of it";
+      result.hint = "one of them is turned over (a Moebius-like gluing), or an element is there twice";
+    }
+    obstacles_.add(std::move(result));
+  }
+
+  void not_conforming(const std::vector<Use>& uses) {
+    MeshObstacle result = obstacle(MeshVerdict::non_conforming, uses);
+    if (!obstacles_.wants(result.kind)) return obstacles_.add_unnamed(result.kind);
+    const CurveNet<Integer> a = forward_curve(uses[0]), b = forward_curve(uses[1]);
+    result.distance = largest_distance(a, b);
+    result.message += " have different curves on " + where_ + ", " + text_of(*result.distance) +
+                      " apart at most at equal parameters";
+    result.hint = have_same_image(a, b) ? "they have one shape, but run through it differently: inner nodes (or "
+                                          "weights) are placed differently along the edge"
+                                        : "inner nodes (control points, weights) of the edge differ";
+    obstacles_.add(std::move(result));
+  }
+
+  // As far as some of their points tell: for a hint.
+  static bool have_same_image(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
+    constexpr int samples = 16;
+    for (int k = 1; k < samples; ++k) {
+      const Rational t(k, samples);
+      if (!passes_inside(b, point_at(a, t)) || !passes_inside(a, point_at(b, t))) return false;
+    }
+    return true;
+  }
+
+  const MeshEdges& edges_;
+  ObstacleList& obstacles_;
+  Gluing gluing_;
+  std::string where_;
+};
+
+}  // namespace
+
+Gluing glue(const MeshEdges& edges, ObstacleList& obstacles) { return Gluer(edges, obstacles).run(); }
+
+CornersByVertex corners_by_vertex(const MeshEdges& edges, const Gluing& gluing) {
+  CornersByVertex result;
+  result.start.assign(edges.mesh().x.size() + 2, 0);
+  for (const std::uint32_t vertex : gluing.begin) ++result.start[vertex + 2];
+  std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
+  result.corners.resize(edges.count());
+  for (EdgeUse use = 0; use < edges.count(); ++use) result.corners[result.start[gluing.begin[use] + 1]++] = use;
+  result.start.pop_back();
+  return result;
+}
+
+}  // namespace bezcert

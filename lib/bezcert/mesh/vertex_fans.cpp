@@ -1,0 +1,199 @@
+#include "bezcert/mesh/vertex_fans.hpp"
+
+#include <algorithm>
+
+namespace bezcert {
+namespace {
+
+// Where a direction lies relative to a reference direction: along it, to its left, opposite, to its right.
+enum class Side { along, left, opposite, right };
+
+Side side_of(int cross_sign, int dot_sign) {
+  if (cross_sign != 0) return cross_sign > 0 ? Side::left : Side::right;
+  return dot_sign > 0 ? Side::along : Side::opposite;
+}
+
+// How often the directions, each less than half a turn after the one before, pass the reference direction: a sector
+// [d_k, d_k+1) holds it if d_k is along it, or leads from its right to its left.
+int passes(const std::vector<Side>& sides, bool closed) {
+  int count = 0;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    if (!closed && k + 1 == sides.size()) break;
+    const Side next = sides[(k + 1) % sides.size()];
+    if (sides[k] == Side::along || (sides[k] == Side::right && next == Side::left)) ++count;
+  }
+  return count;
+}
+
+struct Tangent {
+  EdgeUse use;
+  End end;
+};
+
+class TurnCounter {
+ public:
+  explicit TurnCounter(const MeshEdges& edges) : edges_(edges) {}
+
+  // Full turns of a closed fan: the reference is +x.
+  int turns(const Fan& fan) const {
+    std::vector<Side> sides;
+    for (const EdgeUse corner : fan.corners) sides.push_back(side_of_x({corner, End::begin}));
+    return passes(sides, true);
+  }
+
+  // Compares the angle of an open fan with a full turn: -1, 0, 1. The reference is its first direction.
+  int compare_with_turn(const Fan& fan) const {
+    if (fan.corners.size() < 3) return -1;  // each corner has less than half a turn
+    const Tangent first{fan.corners.front(), End::begin};
+    std::vector<Side> sides = {Side::along};
+    for (std::size_t k = 1; k < fan.corners.size(); ++k) {
+      sides.push_back(side_of_tangent(first, {fan.corners[k], End::begin}));
+    }
+    sides.push_back(side_of_tangent(first, {edges_.previous(fan.corners.back()), End::end}));
+    if (passes(sides, false) > 1) return 1;
+    return sides.back() == Side::along ? 0 : -1;
+  }
+
+ private:
+  Side side_of_x(Tangent tangent) const {
+    const Vector2<Interval> t = edges_.interval_tangent(tangent.use, tangent.end);
+    if (const auto y = certain_sign(t.y)) {
+      if (*y != 0) return side_of(*y, 0);
+      if (const auto x = certain_sign(t.x)) return side_of(0, *x);
+    }
+    const Vector2<Integer> exact = edges_.exact_tangent(tangent.use, tangent.end);
+    return side_of(exact.y.sign(), exact.x.sign());
+  }
+
+  Side side_of_tangent(Tangent reference, Tangent tangent) const {
+    {
+      const Vector2<Interval> r = edges_.interval_tangent(reference.use, reference.end);
+      const Vector2<Interval> t = edges_.interval_tangent(tangent.use, tangent.end);
+      if (const auto turn = certain_sign(cross(r, t))) {
+        if (*turn != 0) return side_of(*turn, 0);
+        if (const auto forward = certain_sign(dot(r, t))) return side_of(0, *forward);
+      }
+    }
+    const Vector2<Integer> r = edges_.exact_tangent(reference.use, reference.end);
+    const Vector2<Integer> t = edges_.exact_tangent(tangent.use, tangent.end);
+    return side_of(cross(r, t).sign(), dot(r, t).sign());
+  }
+
+  const MeshEdges& edges_;
+  RoundingScope scope_;
+};
+
+MeshObstacle vertex_obstacle(const MeshEdges& edges, MeshVerdict kind, std::uint32_t vertex,
+                             const std::vector<EdgeUse>& corners) {
+  MeshObstacle result;
+  result.kind = kind;
+  for (const EdgeUse corner : corners) {
+    const std::uint32_t element = edges.element(corner);
+    if (std::find(result.elements.begin(), result.elements.end(), element) == result.elements.end()) {
+      result.elements.push_back(element);
+    }
+  }
+  name_nodes(edges, {vertex}, result);
+  result.message = elements_text(edges.mesh(), result.elements);
+  return result;
+}
+
+std::vector<EdgeUse> corners_at(const CornersByVertex& corners, std::uint32_t vertex) {
+  return {corners.corners.begin() + corners.start[vertex], corners.corners.begin() + corners.start[vertex + 1]};
+}
+
+}  // namespace
+
+std::vector<Fan> fans_of(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                         std::uint32_t vertex) {
+  const std::vector<EdgeUse> all = corners_at(corners, vertex);  // ascending
+  std::vector<bool> seen(all.size(), false);
+  std::vector<Fan> result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (seen[i]) continue;
+    const EdgeUse seed = all[i];
+    // Clockwise to where the fan begins; all around if it does not.
+    EdgeUse begin = seed;
+    while (gluing.twin[begin] != no_edge) {
+      begin = edges.next(gluing.twin[begin]);
+      if (begin == seed) break;
+    }
+    Fan fan;
+    for (EdgeUse corner = begin;;) {
+      fan.corners.push_back(corner);
+      seen[static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), corner) - all.begin())] = true;
+      const EdgeUse across = gluing.twin[edges.previous(corner)];
+      if (across == no_edge) break;
+      corner = across;
+      if (corner == begin) {
+        fan.closed = true;
+        break;
+      }
+    }
+    result.push_back(std::move(fan));
+  }
+  return result;
+}
+
+Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+               ObstacleList& obstacles) {
+  Fans result;
+  const std::size_t vertices = edges.mesh().x.size();
+  result.next_boundary.assign(edges.count(), no_edge);
+  result.bad.assign(vertices, false);
+  for (EdgeUse use = 0; use < edges.count(); ++use) {
+    if (gluing.faulty[use]) result.bad[gluing.begin[use]] = result.bad[gluing.end(edges, use)] = true;
+  }
+  for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
+    if (corners.start[vertex] == corners.start[vertex + 1]) continue;
+    const std::vector<Fan> fans = fans_of(edges, gluing, corners, vertex);
+    for (const Fan& fan : fans) {
+      const EdgeUse arriving = edges.previous(fan.corners.back());
+      if (fan.closed || gluing.faulty[arriving] || gluing.faulty[fan.corners.front()]) continue;
+      result.next_boundary[arriving] = fan.corners.front();
+    }
+    if (fans.size() == 1 || result.bad[vertex]) continue;
+    result.bad[vertex] = true;
+    if (!obstacles.wants(MeshVerdict::non_manifold)) {
+      obstacles.add_unnamed(MeshVerdict::non_manifold);
+      continue;
+    }
+    // One element of each fan first: they are what meets there.
+    std::vector<EdgeUse> all;
+    for (const Fan& fan : fans) all.push_back(fan.corners.front());
+    for (const Fan& fan : fans) all.insert(all.end(), fan.corners.begin() + 1, fan.corners.end());
+    MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::non_manifold, vertex, all);
+    obstacle.message += " form " + std::to_string(fans.size()) + " fans that touch only in " +
+                        node_text(edges, vertex) + ": a pinched vertex";
+    obstacle.hint = "parts that touch in one point; give each part a node of its own and move them apart, or join "
+                    "them by an edge";
+    obstacles.add(std::move(obstacle));
+  }
+  return result;
+}
+
+void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners, Fans& fans,
+                 ObstacleList& obstacles) {
+  const TurnCounter counter(edges);
+  const auto folded = [&](std::uint32_t vertex, const Fan& fan, const std::string& what) {
+    fans.bad[vertex] = true;
+    MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::folded_vertex, vertex, fan.corners);
+    obstacle.message += what + node_text(edges, vertex);
+    obstacle.hint = "the elements are fine one by one, but lie on each other around that node";
+    obstacles.add(std::move(obstacle));
+  };
+  for (std::uint32_t vertex = 0; vertex < fans.bad.size(); ++vertex) {
+    if (corners.start[vertex] == corners.start[vertex + 1] || fans.bad[vertex]) continue;
+    const Fan fan = fans_of(edges, gluing, corners, vertex).front();
+    if (fan.closed) {
+      const int turns = counter.turns(fan);
+      if (turns != 1) folded(vertex, fan, " wind " + std::to_string(turns) + " times around ");
+      continue;
+    }
+    const int more = counter.compare_with_turn(fan);
+    if (more == 0) fans.cusps.push_back(vertex);
+    if (more > 0) folded(vertex, fan, " make more than one full turn around the boundary vertex ");
+  }
+}
+
+}  // namespace bezcert
