@@ -42,6 +42,33 @@ void print_witness(const char* label, const Witness& witness) {
             << decimal_parameter(witness.parameter) << "\n  det J      " << both(witness.determinant) << '\n';
 }
 
+// A zero of det J with algebraic coordinates, in words.
+void print_zero(const AlgebraicZero& zero, bool triangle) {
+  std::cout << "zero of det J\n";
+  const auto line = [](const char* label, const RealRoot& x) {
+    std::cout << "  " << label << "  ";
+    if (x.is_rational()) {
+      std::cout << both(x.lower) << '\n';
+      return;
+    }
+    std::cout << to_decimal((x.lower + x.upper) / 2, 12) << ", exactly the only ";
+    if (x.polynomial.is_zero()) {
+      std::cout << "such number";
+    } else {
+      std::cout << "root of " << to_string(x.polynomial, "x");
+    }
+    std::cout << " between\n     " << to_string(x.lower) << " and\n     " << to_string(x.upper) << '\n';
+  };
+  line(triangle ? "u (second barycentric)" : "u", zero.at.u);
+  line(triangle ? "v (third barycentric)" : "v", zero.at.v);
+  std::cout << "  det J vanishes "
+            << (zero.dimension == 0   ? "at finitely many points of the element only"
+                : zero.dimension == 1 ? "along a whole curve in the element"
+                : zero.dimension == 2 ? "everywhere"
+                                      : "at this point (the budget did not tell where else)")
+            << '\n';
+}
+
 void print_net(const Element& element) {
   const char* what = element.basis() == Basis::bernstein ? "control points" : "nodes";
   std::cout << what << " (" << (element.basis() == Basis::bernstein ? "bernstein" : "lagrange")
@@ -132,6 +159,7 @@ int explain(const ExplainOptions& options) {
   if (!decision.open.empty()) std::cout << "  open: " << decision.open << '\n';
   if (decision.witness) print_witness("witness", *decision.witness);
   if (decision.other_witness) print_witness("det J is not negative everywhere", *decision.other_witness);
+  if (decision.zero) print_zero(*decision.zero, element.is_triangle());
   print_signs(forms);
   std::cout << "bounds of det J\n";
   SubdivisionOptions narrow;

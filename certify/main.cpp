@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 #include <new>
 
@@ -70,10 +71,31 @@ void add_read_options(CLI::App& command, ReadWords& words) {
       ->option_text("binary64|decimal");
 }
 
+// "PIECES" or "PIECES,BITS".
 void add_budget(CLI::App& command, Budget& budget) {
-  command.add_option("--budget", budget.pieces, "pieces of the subdivision of one element (default 4096)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
-      ->option_text("PIECES");
+  command
+      .add_option_function<std::string>(
+          "--budget",
+          [&budget](const std::string& text) {
+            const std::size_t comma = std::min(text.find(','), text.size());
+            const auto number = [&](const std::string& digits, std::size_t low, std::size_t high) {
+              std::size_t value = 0;
+              const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+              if (error != std::errc() || end != digits.data() + digits.size() || value < low || value > high) {
+                throw CLI::ValidationError("--budget", "\"" + text +
+                                                           "\": expected PIECES from 1 to 1000000, or PIECES,BITS "
+                                                           "with BITS from 0 to 1000000000000");
+              }
+              return value;
+            };
+            budget.pieces = number(text.substr(0, comma), 1, 1000000);
+            if (comma == text.size()) return;
+            budget.algebra_bits = number(text.substr(comma + 1), 0, 1000000000000);
+            budget.contact.algebra_bits = budget.algebra_bits;
+          },
+          "pieces of the subdivision of one element (default 4096), and bits of the largest resultant that "
+          "algebra is asked about (default 33554432; 0: no algebra)")
+      ->option_text("PIECES[,BITS]");
 }
 
 int run(int argc, char** argv) {

@@ -20,6 +20,25 @@ std::string range_text(const BoundaryRange& range) {
   return text + " in [" + to_string(range.lower) + ", " + to_string(range.upper) + "]";
 }
 
+std::string coordinate_text(const RealRoot& x) {
+  if (x.is_rational()) return to_string(x.lower);
+  return "in [" + to_decimal(x.lower, 13) + ", " + to_decimal(x.upper, 13) + "]";
+}
+
+// The zero set of det J of a degenerate element; a rational zero is shown as the witness already.
+std::string describe(const AlgebraicZero& zero) {
+  std::string text;
+  if (!zero.at.is_rational()) {
+    text = ", det J = 0 at u " + coordinate_text(zero.at.u) + ", v " + coordinate_text(zero.at.v);
+  }
+  switch (zero.dimension) {
+    case 0: return text + ", finitely many zeros";
+    case 1: return text + ", zeros along a curve";
+    case 2: return text + ", zero everywhere";
+    default: return text;
+  }
+}
+
 }  // namespace
 
 void Summary::add(const MeshElement& entry, const CheckedElement& checked) {
@@ -61,6 +80,7 @@ std::string describe(const Decision& decision) {
     text += ", det J " + determinant_text(decision.witness->determinant) + " at " +
             to_string(decision.witness->parameter);
   }
+  if (decision.zero) text += describe(*decision.zero);
   if (decision.overlap) {
     text += ", det J > 0 but the boundary meets itself: " + range_text(decision.overlap->first) + " and " +
             range_text(decision.overlap->second);

@@ -21,6 +21,25 @@ Json range_object(const BoundaryRange& range) {
   return {{"edge", range.edge}, {"lower", to_string(range.lower)}, {"upper", to_string(range.upper)}};
 }
 
+// A coordinate of a zero of det J: its exact value, or an isolating interval and, where it is known, the integer
+// polynomial (coefficients from the constant term on) whose only root in it the coordinate is.
+Json coordinate_object(const RealRoot& x) {
+  if (x.is_rational()) return to_string(x.lower);
+  Json object = {{"lower", to_string(x.lower)}, {"upper", to_string(x.upper)}};
+  if (!x.polynomial.is_zero()) {
+    Json coefficients = Json::array();
+    for (const Integer& c : x.polynomial.coefficients) coefficients.push_back(c.str());
+    object["polynomial"] = coefficients;
+  }
+  return object;
+}
+
+Json zero_object(const AlgebraicZero& zero) {
+  Json object = {{"u", coordinate_object(zero.at.u)}, {"v", coordinate_object(zero.at.v)}};
+  object["dimension"] = zero.dimension >= 0 ? Json(zero.dimension) : Json(nullptr);
+  return object;
+}
+
 // Paths and names may hold any bytes: what is no UTF-8 is replaced, not thrown at.
 std::string line_of(const Json& object) {
   return object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -55,6 +74,7 @@ class JsonLinesReport : public Report {
     object["min_det"] = {{"lower", to_string(to_rational(decision.bounds.min_lower))},
                          {"upper", to_string(to_rational(decision.bounds.min_upper))}};
     object["witness"] = decision.witness ? witness_object(*decision.witness) : Json(nullptr);
+    if (decision.zero) object["zero"] = zero_object(*decision.zero);
     if (decision.overlap) {
       object["overlap"] =
           Json::array({range_object(decision.overlap->first), range_object(decision.overlap->second)});

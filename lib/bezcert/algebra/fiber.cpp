@@ -2,6 +2,7 @@
 
 #include "bezcert/algebra/field_gcd.hpp"
 #include "bezcert/algebra/flint_types.hpp"
+#include "bezcert/number/scaled.hpp"
 
 #include <algorithm>
 
@@ -106,23 +107,18 @@ class Fiber::Implementation {
     return result;
   }
 
-  RealRoot smallest(const Univariate& low_end, const Univariate& high_end, Ends ends, const Rational& width) {
+  RealRoot smallest(const Univariate& low_end, const Univariate& high_end, Ends ends, Rational width) {
     const FieldElement low = element(low_end), high = element(high_end);
     if (divisor_.size() == 2) {
-      // c1 v + c0 = 0, monic.
+      // v + c = 0.
       FieldElement root(divisor_[0]);
       fmpq_poly_neg(root.get(), root.get());
-      if (root.length() <= 1) {
-        const Rational exact = root.coefficient(0);
-        return with_minimal_polynomial({Univariate(), exact, exact});
-      }
-      RealRoot box = enclosure(root, width);
-      return box;
+      if (root.length() <= 1) return exactly(root.coefficient(0));
     }
     if (alpha_.is_rational()) {
       std::vector<Rational> coefficients;
       for (const FieldElement& c : divisor_) coefficients.push_back(c.coefficient(0));
-      const Rational from = value_of_constant(low), to = value_of_constant(high);
+      const Rational from = low.coefficient(0), to = high.coefficient(0);
       for (RealRoot& root : roots_in(from_rationals(coefficients), from, to)) {
         if (ends == Ends::excluded && root.is_rational() && (root.lower == from || root.lower == to)) continue;
         RealRoot exact = with_minimal_polynomial(std::move(root));
@@ -131,28 +127,69 @@ class Fiber::Implementation {
       }
       throw std::logic_error("Fiber::smallest: no root");
     }
-    // Rational bounds a <= low, high <= b, then bisection to the smallest root that counts. A root equal to an
-    // end is met by counting with the end itself.
+    RealRoot box = isolated(low, high, ends, width);
+    if (alpha_.polynomial.degree() > largest_norm) return box;
+    const Univariate norm = square_free_part(norm_of_divisor());
+    for (;;) {
+      std::vector<RealRoot> roots = roots_in(norm, box.lower, box.upper);
+      if (roots.size() == 1) return with_minimal_polynomial(std::move(roots[0]));
+      width /= 1024;
+      box = isolated(low, high, ends, width);
+    }
+  }
+
+ private:
+  // Fields of larger degree are not asked for the polynomial of v: it would be long and no easier to read.
+  static constexpr int largest_norm = 16;
+
+  static RealRoot exactly(const Rational& x) { return with_minimal_polynomial({Univariate(), x, x}); }
+
+  // An interval that holds the smallest counted root and no other root of the divisor.
+  RealRoot isolated(const FieldElement& low, const FieldElement& high, Ends ends, const Rational& width) {
+    if (divisor_.size() == 2) {
+      FieldElement root(divisor_[0]);
+      fmpq_poly_neg(root.get(), root.get());
+      return enclosure(root, width);
+    }
+    // Rational bounds a <= low, high <= b, then bisection. A root equal to an end is met by counting with the end
+    // itself.
     Rational a = enclosure(low, Rational(1, 4)).lower - 1, b = enclosure(high, Rational(1, 4)).upper + 1;
-    const auto is_below = [&](const Rational& x) {  // whether a counted root is <= x
+    const auto is_at_most = [&](const Rational& x) {  // whether a counted root is <= x
       const FieldElement at = element(x);
-      if (sign(difference(at, low)) <= 0) {
-        return sign(difference(at, low)) == 0 && ends == Ends::included && value(divisor_, at).is_zero();
-      }
+      const int side = sign(difference(at, low));
+      if (side < 0 || (side == 0 && ends == Ends::excluded)) return false;
+      if (side == 0) return value(divisor_, at).is_zero();
       if (sign(difference(at, high)) >= 0) return true;
       int number = count(low, at, ends);
       if (ends == Ends::excluded && value(divisor_, at).is_zero()) ++number;
       return number > 0;
     };
-    // The interval must also hold no other root of the divisor.
     while (b - a > width || count(element(a), element(b), Ends::included) > 1) {
       const Rational middle = (a + b) / 2;
-      (is_below(middle) ? b : a) = middle;
+      (is_at_most(middle) ? b : a) = middle;
     }
     return {Univariate(), a, b};
   }
 
- private:
+  // The product of the divisor's conjugates: a polynomial in v over the rationals, up to a factor.
+  Univariate norm_of_divisor() const {
+    // Swapped: v is the variable that stays, u is eliminated.
+    const auto degree = static_cast<std::size_t>(alpha_.polynomial.degree());
+    std::vector<Rational> all;
+    for (const FieldElement& c : divisor_) {
+      for (std::size_t i = 0; i < degree; ++i) all.push_back(c.coefficient(static_cast<slong>(i)));
+    }
+    const std::vector<Integer> cleared = scaled_integers(all).values;
+    std::vector<Univariate> divisor, minimal;
+    for (std::size_t i = 0; i < degree; ++i) {
+      std::vector<Integer> in_v;
+      for (std::size_t k = 0; k < divisor_.size(); ++k) in_v.push_back(cleared[k * degree + i]);
+      divisor.emplace_back(std::move(in_v));
+    }
+    for (const Integer& c : alpha_.polynomial.coefficients) minimal.push_back(Univariate({c}));
+    return resultant_v(Bivariate(std::move(divisor)), Bivariate(std::move(minimal)));
+  }
+
   FieldElement reduced(FieldElement x) const {
     fmpq_poly_rem(x.get(), x.get(), modulus_.get());
     return x;
@@ -230,8 +267,6 @@ class Fiber::Implementation {
     }
     return sum;
   }
-
-  static Rational value_of_constant(const FieldElement& x) { return x.coefficient(0); }
 
   // An interval that contains the element, from the present interval of alpha.
   std::pair<Rational, Rational> range(const FieldElement& x) const {

@@ -324,6 +324,8 @@ Decision decide(const Forms& forms, const Budget& budget) {
     case ElementVerdict::degenerate:
       if (!decision.zero && budget.algebra_bits > 0) decide_by_algebra(forms, budget, search, decision);
       decision.open.clear();
+      // A zero at a corner of a piece is the better evidence.
+      if (decision.zero && decision.witness) decision.zero->at = point_of(decision.witness->parameter);
       if (!decision.zero) decision.zero = AlgebraicZero{point_of(decision.witness->parameter), -1};
       break;
     default: break;
