@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Write the corpus of single elements, after proving every expected verdict in exact arithmetic.
 
-    make_elements.py           write elements/*.bez.json, criteria.tsv, beyond_subdivision.txt
+    make_elements.py           write elements/*.bez.json, criteria.tsv, zeros.tsv, beyond_subdivision.txt
     make_elements.py --check   make everything in memory and compare with the files, byte for byte
 
 Python >= 3.9 and its standard library. Nothing here uses the C++ library: exact.py derives everything anew.
@@ -15,9 +15,14 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # leave nothing beside the sources
 
+import contact
 import exact
-from element_list import ELEMENTS, form
-from exact import CRITERIA, Element, add, bernstein_rows, decide, mul
+import element_list  # each of the three lists adds its elements to ELEMENTS
+import element_list_zeros
+import element_list_contact
+import zeros
+from element_notation import ELEMENTS
+from exact import CRITERIA, Element, bernstein_rows, decide
 
 HERE = Path(__file__).resolve().parent
 PROOF_WORDS = {
@@ -42,12 +47,12 @@ def words_at(parameter):
     return "(" + ", ".join(str(Q(x)) for x in parameter) + ")"
 
 
-def subdivide(element):
+def subdivide(element, budget):
     """Sign of N by bisection. On the triangle the three choices of the first edge must agree about zeros."""
     rows = bernstein_rows(element.N, element.triangle)
-    status, witness = decide(rows, element.triangle)
-    if element.triangle and status in ("zero", "open"):
-        again = {decide(rows, True)[0] for rows in (exact.rotated(rows), exact.rotated(exact.rotated(rows)))}
+    status, witness = decide(rows, element.triangle, budget)
+    if element.triangle and (status == "zero" or status == "open" and budget <= 1000):
+        again = {decide(rows, True, budget)[0] for rows in (exact.rotated(rows), exact.rotated(exact.rotated(rows)))}
         assert again == {status}, "bisection settles this element only from some edges"
     if witness and not element.triangle:
         witness = (1 - witness[0], witness[0], 1 - witness[1], witness[1])
@@ -73,43 +78,23 @@ def simple_net(element):
     return all(exact.orient(*t) > 0 for t in nets) and all(apart(a, b) or apart(b, a) for a, b in combinations(nets, 2))
 
 
-def check_squares(element, kind, proof):
-    """multiplier * det J is a sum of factor * f^2, factors with coefficients >= 0, and there is a zero."""
-    _, multiplier, terms, zeros = proof
-    assert all(c >= 0 for f in [multiplier] + [factor for factor, _ in terms] for c in f.values())
-    total = {}
-    for factor, f in terms:
-        total = add(total, mul(factor, mul(f, f)))
-    if element.triangle:
-        scale, of_multiplier = element.degree ** 2, max(map(sum, multiplier))
-        of_total = sum(next(iter(element.N))) + of_multiplier
-    else:
-        some = next(iter(element.N))
-        scale, of_multiplier = element.degree[0] * element.degree[1], (0, 0)
-        of_total = sum(some[:2]), sum(some[2:])
-    left = mul({e: scale * c for e, c in element.N.items()}, form(multiplier, of_multiplier, kind))
-    assert not any(add(left, form(total, of_total, kind), -1).values()), "not that sum of squares"
-    if len(zeros) == 1:
-        assert exact.evaluate(element.N, at(zeros[0])) == 0
-        return
-    # One summand has a square whose root changes sign between the two parameters (along the segment, where the
-    # other summands, linear and zero at both, vanish); so the sum is zero in between.
-    values = [[sum(c * z[1] ** a * z[2] ** b for (a, b), c in mul(factor, f).items()) for z in map(at, zeros)]
-              for factor, f in terms]
-    crossing = [v for v in values if v[0] * v[1] < 0]
-    vanishing = [v for v, (factor, f) in zip(values, terms)
-                 if v == [0, 0] and max(a + b for a, b in mul(factor, f)) == 1]
-    assert len(crossing) == 1 and len(crossing) + len(vanishing) == len(terms)
-
-
 def prove(entry, element):
     """Check the expected verdict; return a sentence for `source` and why subdivision cannot settle it, if so."""
-    expect, proof = entry["expect"], entry["proof"]
-    status, witness = subdivide(element)
-    beyond_subdivision = "" if status != "open" else (
-        "bisection never ends at its zeros" if expect == "degenerate" else "the region of det J < 0 is very thin")
+    expect, proof, kind = entry["expect"], entry["proof"], entry["kind"]
+    terms = proof if isinstance(proof, dict) and "terms" in proof and "multiplier" in proof else None
+    status, witness = subdivide(element, 6000 if not terms else 1000 if expect == "degenerate" else 2500)
+    beyond_subdivision = "" if status != "open" else {
+        "degenerate": "bisection never ends at its zeros", "folded": "the region of det J < 0 is very thin",
+        "injective": "the region where det J is about 1e-12 is large"}[expect]
+    if terms:
+        zeros.check_sum(element, kind, terms)
+        assert (terms["shift"] > 0) - (terms["shift"] < 0) == {"degenerate": 0, "injective": 1, "folded": -1}[expect]
+        return prove_terms(entry, element, status, witness), beyond_subdivision
     if proof in ("simple", "simple net"):
         assert simple_net(element) and (proof == "simple net" or exact.simple_boundary(element))
+    if isinstance(proof, dict):
+        assert status == "positive", status
+        return contact.check(element, proof, expect), ""
     if expect in ("injective", "reversed"):
         assert status == ("positive" if expect == "injective" else "negative"), status
         proofs = injectivity(element) if expect == "injective" else []
@@ -123,23 +108,69 @@ def prove(entry, element):
         assert element.image(at(proof[1])) == element.image(at(proof[2]))
         return "", beyond_subdivision
     if expect == "degenerate":
-        if proof:
-            assert status == "open", status
-            check_squares(element, entry["kind"], proof)
-            return "", beyond_subdivision
         assert status == "zero", status
         return "Bisection ends with coefficients >= 0 on every piece.", ""
-    assert expect == "folded"
-    if proof and proof[0] == "negative":
-        witness = at(proof[1])
-        assert status in ("mixed", "open")
-    else:
-        assert status in ("mixed", "below"), status
+    assert expect == "folded" and status in ("mixed", "below"), status
+    return negative(element, witness), beyond_subdivision
+
+
+def prove_terms(entry, element, status, witness):
+    """The same for an element whose det J is a sum of terms plus a shift, which zeros.check_sum has checked."""
+    expect, proof, kind = entry["expect"], entry["proof"], entry["kind"]
+    if expect == "degenerate":
+        assert status == "open", status
+        zero_set(entry, element)
+        return ""
+    if expect == "injective":
+        assert status in ("positive", "open"), status
+        if len(set(proof["scales"])) == 1:
+            assert exact.shear(element)
+            return f"Injective: {PROOF_WORDS['shear']}."
+        assert exact.shear(zeros.unweighted(element, proof["scales"]))
+        return f"Injective: before the reparametrisation {PROOF_WORDS['shear']}."
+    assert status in ("mixed", "below", "open"), status
+    places = [proof["point"]] if proof["point"] else zeros.near_zeros(proof["terms"], proof["multiplier"], kind)
+    if witness and not any(max(x.denominator for x in p) < 1000 for p in places):
+        return negative(element, witness)
+    for s, t in [zeros.moved(p, kind, proof["scales"]) for p in places]:
+        where = (1 - s - t, s, t) if element.triangle else (1 - s, s, 1 - t, t)
+        if min(where) >= 0 and element.det(where) < 0:
+            return negative(element, where)
+    raise AssertionError("no negative value found")
+
+
+def negative(element, witness):
     value = element.det(witness)
     assert value < 0
     shown = str(value) if len(str(value)) < 40 else f"about {float(value):.3g}"
     where = words_at(witness if element.triangle else (witness[1], witness[3]))
-    return f"det J = {shown} at {where}.", beyond_subdivision
+    return f"det J = {shown} at {where}."
+
+
+def zero_set(entry, element):
+    """A row of zeros.tsv: the dimension of the zero set of det J, and where the zeros are if there are finitely many."""
+    proof, kind = entry["proof"], entry["kind"]
+    if proof:
+        dimension, boxes = zeros.zero_set(proof["terms"], proof["multiplier"], kind)
+        points = []
+        for s, t in boxes:
+            point = zeros.moved((s[0], t[0]), kind, proof["scales"])
+            u, v = point
+            where = (1 - u - v, u, v) if element.triangle else (1 - u, u, 1 - v, v)
+            exactly = s[0] == s[1] and t[0] == t[1]
+            assert exactly or abs(exact.evaluate(element.N, where)) < Q(1, 10 ** 25)
+            if not exactly or exact.evaluate(element.N, where) == 0:
+                points.append(point)
+        assert dimension or points, "no zero"
+    else:
+        dimension, points = zeros.zero_faces(bernstein_rows(element.N, element.triangle), element.triangle)
+    shown = ";".join(",".join(twelve_decimals(x) for x in point) for point in sorted(points))
+    return f"{entry['name']}\t{dimension}\t{len(points) if dimension == 0 else ''}\t{shown}"
+
+
+def twelve_decimals(x):
+    digits = str(int(x * 10 ** 12 + Q(1, 2))).rjust(13, "0")
+    return f"{digits[:-12]}.{digits[-12:]}"
 
 
 def document(entry, sentence):
@@ -164,7 +195,7 @@ def document(entry, sentence):
 
 def make():
     """All files as {relative path: text}, and the table of criteria."""
-    files, table, beyond_subdivision = {}, {}, []
+    files, table, beyond_subdivision, zero_rows = {}, {}, [], []
     for entry in ELEMENTS:
         name = entry["name"]
         assert name not in table, f"{name} twice"
@@ -175,12 +206,15 @@ def make():
             raise SystemExit(f"{name}: expected {entry['expect']}: {error}")
         if no_subdivision:
             beyond_subdivision.append(f"{name} # {no_subdivision}")
+        if entry["expect"] == "degenerate":
+            zero_rows.append(zero_set(entry, element))
         table[name] = {criterion: test(element) for criterion, test in CRITERIA.items()}
         regular = entry["expect"] in ("injective", "overlapping")
         assert regular or table[name]["orientation"] != "proved" and table[name]["coefficients"] != "proved", name
         files[f"elements/{name}.bez.json"] = document(entry, sentence)
     rows = [f"{name}\t{criterion}\t{status}" for name, row in table.items() for criterion, status in row.items()]
     files["criteria.tsv"] = "\n".join(["element\tcriterion\tstatus"] + rows) + "\n"
+    files["zeros.tsv"] = "\n".join(["element\tdimension\tnumber\tzeros"] + zero_rows) + "\n"
     files["beyond_subdivision.txt"] = "\n".join(
         ["# Dyadic subdivision of N cannot settle these; the true verdict is in the file."] + beyond_subdivision) + "\n"
     return files, table
