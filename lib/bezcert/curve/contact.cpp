@@ -4,6 +4,8 @@
 #include "bezcert/curve/separation.hpp"
 
 #include <deque>
+#include <tuple>
+#include <vector>
 
 namespace bezcert {
 namespace {
@@ -137,19 +139,27 @@ class Search {
     if (!cross(task.a, task.b)) return std::nullopt;
     // Narrower ranges, as long as halves certainly cross.
     Piece a = task.a, b = task.b;
-    constexpr int fine = 20;
-    while (a_.depth(a) < fine || b_.depth(b) < fine) {
-      const auto [a1, a2] = a_.halves(a);
-      const auto [b1, b2] = b_.halves(b);
-      bool narrower = false;
-      for (const auto& [x, y] : {std::pair(a1, b1), {a1, b2}, {a2, b1}, {a2, b2}, {a1, b}, {a2, b}, {a, b1}, {a, b2}}) {
-        if (!cross(x, y)) continue;
-        a = x;
-        b = y;
-        narrower = true;
-        break;
+    for (bool narrower = true; narrower;) {
+      narrower = false;
+      std::vector<Piece> parts_a = {a}, parts_b = {b};
+      constexpr int fine = 20;
+      if (a_.depth(a) < fine) {
+        const auto [first, second] = a_.halves(a);
+        parts_a = {first, second, a};
       }
-      if (!narrower) break;
+      if (b_.depth(b) < fine) {
+        const auto [first, second] = b_.halves(b);
+        parts_b = {first, second, b};
+      }
+      for (std::size_t i = 0; i < parts_a.size() && !narrower; ++i) {
+        for (std::size_t j = 0; j < parts_b.size() && !narrower; ++j) {
+          if (parts_a[i] == a && parts_b[j] == b) continue;
+          if (!cross(parts_a[i], parts_b[j])) continue;
+          narrower = true;
+          // Both at once: a and b name the next pair.
+          std::tie(a, b) = std::pair(parts_a[i], parts_b[j]);
+        }
+      }
     }
     return Contact{{a_.lower(a), a_.upper(a)}, {b_.lower(b), b_.upper(b)}, false};
   }
