@@ -33,7 +33,14 @@ void write_reproducer(const std::string& input, const MeshElement& entry, const 
             << '\n';
 }
 
-Summary check_mesh(const std::string& input, const CheckOptions& options, Report& report) {
+DomainSummary check_domain_of(const Mesh& mesh, const std::string& file, std::span<const InputCurve> curves) {
+  DomainSummary result{file, {}, check_domain(mesh, curves)};
+  for (const InputCurve& curve : curves) result.names.push_back(curve.name);
+  return result;
+}
+
+Summary check_mesh(const std::string& input, const CheckOptions& options, std::span<const InputCurve> curves,
+                   Report& report) {
   const auto start = std::chrono::steady_clock::now();
   const std::string bytes = read_file(input);
   const Mesh mesh = read_mesh(input, bytes, options.read);
@@ -42,11 +49,14 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, Report
   Summary summary;
   summary.criteria = options.criteria;
   summary.by_criterion.resize(options.criteria.size());
+  std::vector<ElementState> states;
+  states.reserve(mesh.elements.size());
   Progress progress(input, mesh.elements.size());
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
     const Element element = mesh.element(i);
     const CheckedElement checked = check_element(element, options.criteria, options.budget);
-    summary.add(mesh.elements[i], checked);
+    summary.add(checked);
+    states.push_back(state_of(checked.decision));
     report.element(mesh, i, element, checked);
     if (std::any_of(checked.criteria.begin(), checked.criteria.end(),
                     [](const CheckedCriterion& one) { return one.is_defect(); })) {
@@ -54,6 +64,8 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, Report
     }
     progress.done(i + 1);
   }
+  summary.mesh = examine_mesh(mesh, states, {options.budget.contact, std::nullopt});
+  if (!options.domain.empty()) summary.domain = check_domain_of(mesh, options.domain, curves);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.end(mesh, summary);
   return summary;
@@ -71,16 +83,21 @@ int worse(int a, int b) {
 
 int exit_code_of(const Summary& summary, const CheckOptions& options) {
   if (summary.defects > 0) return exit_contradiction;
-  if (summary.invalid > 0) return exit_invalid;
-  if (summary.open() > 0 && options.fail_on_undecided) return exit_undecided;
+  const bool embedding = summary.mesh.verdict == MeshVerdict::embedding;
+  const bool undecided = summary.mesh.verdict == MeshVerdict::undecided;
+  if (!embedding && !undecided) return exit_invalid;
+  if (summary.domain && !summary.domain->result.conforming()) return exit_invalid;
+  if (undecided && options.fail_on_undecided) return exit_undecided;
   return exit_certified;
 }
 
 int check_all(const CheckOptions& options, std::ostream& stream) {
   const auto report = options.format == "jsonl" ? make_jsonl_report(stream) : make_text_report(stream);
+  std::vector<InputCurve> curves;
+  if (!options.domain.empty()) curves = read_bez_json_curves(options.domain, read_file(options.domain));
   int code = exit_certified;
   for (const std::string& input : options.meshes) {
-    code = worse(code, exit_code_of(check_mesh(input, options, *report), options));
+    code = worse(code, exit_code_of(check_mesh(input, options, curves, *report), options));
   }
   return code;
 }

@@ -1,4 +1,5 @@
-// certify check: every element of every mesh, by every chosen criterion and by exact decision.
+// certify check: every element of every mesh, by every chosen criterion and by exact decision, and the mesh
+// as a whole.
 #pragma once
 
 #include "bezcert/criterion/criterion.hpp"
@@ -16,6 +17,7 @@ struct CheckOptions {
   std::vector<const Criterion*> criteria;
   std::string format = "text";  ///< "text" or "jsonl"
   std::string output;           ///< empty: standard output
+  std::string domain;           ///< a file of curves the meshes are to conform to; empty: none
   bool fail_on_undecided = true;
   Budget budget;
 };

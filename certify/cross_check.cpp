@@ -31,6 +31,11 @@ bool certainly_invalid(const Decision& decision) {
          (decision.verdict == ElementVerdict::undecided && decision.witness.has_value());
 }
 
+ElementState state_of(const Decision& decision) {
+  if (certainly_invalid(decision)) return ElementState::invalid;
+  return decision.verdict == ElementVerdict::injective ? ElementState::injective : ElementState::open;
+}
+
 Agreement compare(const Verdict& verdict, const Decision& decision) {
   switch (verdict.status) {
     case Status::proved:

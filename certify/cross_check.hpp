@@ -3,6 +3,7 @@
 
 #include "bezcert/criterion/criterion.hpp"
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/mesh/embedding.hpp"
 
 #include <span>
 #include <string_view>
@@ -48,5 +49,8 @@ CheckedElement check_element(const Element& element, std::span<const Criterion* 
 /// Whether the element is certainly not certifiable: an invalid verdict, or undecided with a witness that
 /// det J <= 0 somewhere.
 bool certainly_invalid(const Decision& decision);
+
+/// What the decision of the mesh takes from that of an element.
+ElementState state_of(const Decision& decision);
 
 }  // namespace bezcert::certify

@@ -5,8 +5,10 @@
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/number/parse.hpp"
 #include "exit_code.hpp"
+#include "mesh_text.hpp"
 #include "report.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace bezcert::certify {
@@ -127,6 +129,36 @@ void print_criteria(const CheckedElement& checked) {
   }
 }
 
+// What the element has to do with the mesh not being an embedding. Its neighbours may overlap it: all are
+// decided.
+void print_mesh_obstacles(const Mesh& mesh, std::size_t index, const CheckedElement& checked,
+                          const Budget& budget) {
+  if (mesh.elements.size() == 1) return;
+  std::vector<ElementState> states;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    if (i == index) {
+      states.push_back(state_of(checked.decision));
+    } else {
+      const Element other = mesh.element(i);
+      states.push_back(state_of(decide(Forms(other), budget)));
+    }
+  }
+  const MeshResult result = examine_mesh(mesh, states, {budget.contact, static_cast<std::uint32_t>(index)});
+  std::cout << "in the mesh\n";
+  std::size_t listed = 0;
+  for (const MeshObstacle& obstacle : result.obstacles.all()) {
+    if (obstacle.kind == MeshVerdict::invalid_element) continue;  // said above of this one
+    std::cout << "  " << name(obstacle.kind) << ": " << describe(obstacle) << '\n';
+    ++listed;
+  }
+  if (listed == 0) std::cout << "  no obstacle names this element\n";
+  const bool all_injective =
+      std::all_of(states.begin(), states.end(), [](ElementState s) { return s == ElementState::injective; });
+  if (!all_injective) {
+    std::cout << "  angles and boundaries are not compared while elements of the mesh are invalid or open\n";
+  }
+}
+
 int exit_code_of(const CheckedElement& checked) {
   for (const CheckedCriterion& one : checked.criteria) {
     if (one.is_defect()) return exit_contradiction;
@@ -166,6 +198,7 @@ int explain(const ExplainOptions& options) {
   narrow.relative_width = Rational(1, 100);
   print_bounds(*subdivision(forms, narrow).bounds);
   print_criteria(checked);
+  print_mesh_obstacles(mesh, index, checked, options.budget);
   return exit_code_of(checked);
 }
 

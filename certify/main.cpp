@@ -81,10 +81,12 @@ void add_budget(CLI::App& command, Budget& budget) {
             const auto number = [&](const std::string& digits, std::size_t low, std::size_t high) {
               std::size_t value = 0;
               const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-              if (error != std::errc() || end != digits.data() + digits.size() || value < low || value > high) {
-                throw CLI::ValidationError("--budget", "\"" + text +
-                                                           "\": expected PIECES from 1 to 1000000, or PIECES,BITS "
-                                                           "with BITS from 0 to 1000000000000");
+              if (error != std::errc() || end != digits.data() + digits.size() || value < low ||
+                  value > high) {
+                throw CLI::ValidationError("--budget",
+                                           "\"" + text +
+                                               "\": expected PIECES from 1 to 1000000, or PIECES,BITS "
+                                               "with BITS from 0 to 1000000000000");
               }
               return value;
             };
@@ -126,6 +128,10 @@ int run(int argc, char** argv) {
                    "undecided (default): exit 3 if something is open; invalid: exit 0 then")
       ->check(CLI::IsMember({"invalid", "undecided"}))
       ->option_text("invalid|undecided");
+  check_command
+      ->add_option("--domain", check_options.domain,
+                   "curves (.bez.json) that the mesh must conform to: each exactly covered by edges")
+      ->option_text("CURVES");
   add_budget(*check_command, check_options.budget);
 
   ExplainOptions explain_options;

@@ -5,7 +5,6 @@
 namespace bezcert::certify {
 namespace {
 
-constexpr std::size_t listed_invalid_elements = 10;
 constexpr std::size_t longest_exact_text = 40;
 
 // Exact if that is short, else decimal: the exact value is in the JSON report and in `explain`.
@@ -41,13 +40,10 @@ std::string describe(const AlgebraicZero& zero) {
 
 }  // namespace
 
-void Summary::add(const MeshElement& entry, const CheckedElement& checked) {
+void Summary::add(const CheckedElement& checked) {
   ++elements;
   ++by_verdict[static_cast<std::size_t>(checked.decision.verdict)];
-  if (certainly_invalid(checked.decision)) {
-    ++invalid;
-    if (invalid_elements.size() < listed_invalid_elements) invalid_elements.push_back(entry.tag);
-  }
+  if (certainly_invalid(checked.decision)) ++invalid;
   for (std::size_t i = 0; i < checked.criteria.size(); ++i) {
     const CheckedCriterion& one = checked.criteria[i];
     CriterionCounts& counts = by_criterion[i];
@@ -82,8 +78,9 @@ std::string describe(const Decision& decision) {
   }
   if (decision.zero) text += describe(*decision.zero);
   if (decision.overlap) {
-    text += ", det J > 0 but the boundary meets itself: " + range_text(decision.overlap->first) + " and " +
-            range_text(decision.overlap->second);
+    text += std::string(", det J > 0 but the boundary ") +
+            (decision.overlap->along_a_piece ? "runs along itself: " : "meets itself: ") +
+            range_text(decision.overlap->first) + " and " + range_text(decision.overlap->second);
   }
   if (!decision.open.empty()) text += "; open: " + decision.open;
   return text;

@@ -3,14 +3,17 @@
 // Both writers get the mesh, then every element in mesh order, then the summary; neither keeps elements.
 #pragma once
 
-#include "bezcert/mesh/mesh.hpp"
+#include "bezcert/mesh/domain.hpp"
+#include "bezcert/mesh/embedding.hpp"
 #include "cross_check.hpp"
 
 #include <array>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace bezcert::certify {
 
@@ -20,18 +23,29 @@ struct CriterionCounts {
   std::size_t contradictions = 0;
 };
 
+/// Significant bits of the bounds of an area that is not known exactly.
+inline constexpr int area_bits = 16;
+
+/// Conformity to the curves of a file.
+struct DomainSummary {
+  std::string file;
+  std::vector<std::string> names;  ///< of its curves; empty where it names none
+  DomainResult result;
+};
+
 struct Summary {
   std::size_t elements = 0;
   std::array<std::size_t, element_verdicts.size()> by_verdict{};  ///< in the order of element_verdicts
   std::vector<const Criterion*> criteria;
-  std::vector<CriterionCounts> by_criterion;    ///< in the order of `criteria`
-  std::size_t findings = 0;                     ///< contradictions of claimed criteria
-  std::size_t defects = 0;                      ///< contradictions of sound criteria
-  std::size_t invalid = 0;                      ///< elements that are certainly not certifiable
-  std::vector<std::uint64_t> invalid_elements;  ///< the first few of them
+  std::vector<CriterionCounts> by_criterion;  ///< in the order of `criteria`
+  std::size_t findings = 0;                   ///< contradictions of claimed criteria
+  std::size_t defects = 0;                    ///< contradictions of sound criteria
+  std::size_t invalid = 0;                    ///< elements that are certainly not certifiable
+  MeshResult mesh;                            ///< of the elements as a whole
+  std::optional<DomainSummary> domain;        ///< if curves were given
   double seconds = 0;
 
-  void add(const MeshElement& entry, const CheckedElement& checked);
+  void add(const CheckedElement& checked);
   std::size_t count(ElementVerdict verdict) const { return by_verdict[static_cast<std::size_t>(verdict)]; }
   /// Elements whose last word is still open.
   std::size_t open() const { return count(ElementVerdict::undecided) + count(ElementVerdict::regular); }

@@ -1,14 +1,11 @@
 // The JSON Lines report, schema "bezcert.report/1" (docs/report.md).
+#include "mesh_json.hpp"
 #include "report.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <ostream>
 
 namespace bezcert::certify {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json witness_object(const Witness& witness) {
   Json parameter = Json::array();
@@ -21,8 +18,8 @@ Json range_object(const BoundaryRange& range) {
   return {{"edge", range.edge}, {"lower", to_string(range.lower)}, {"upper", to_string(range.upper)}};
 }
 
-// A coordinate of a zero of det J: its exact value, or an isolating interval and, where it is known, the integer
-// polynomial (coefficients from the constant term on) whose only root in it the coordinate is.
+// A coordinate of a zero of det J: its exact value, or an isolating interval and, where it is known, the
+// integer polynomial (coefficients from the constant term on) whose only root in it the coordinate is.
 Json coordinate_object(const RealRoot& x) {
   if (x.is_rational()) return to_string(x.lower);
   Json object = {{"lower", to_string(x.lower)}, {"upper", to_string(x.upper)}};
@@ -110,7 +107,8 @@ class JsonLinesReport : public Report {
       criteria[std::string(summary.criteria[i]->name)] = one;
     }
     object["criteria"] = criteria;
-    object["mesh"] = mesh_object(summary);
+    object["mesh"] = mesh_object(mesh, summary.mesh);
+    if (summary.domain) object["domain"] = domain_object(mesh, *summary.domain);
     object["ignored"] = {
         {"points", mesh.ignored.points}, {"lines", mesh.ignored.lines}, {"volumes", mesh.ignored.volumes}};
     object["seconds"] = summary.seconds;
@@ -118,17 +116,6 @@ class JsonLinesReport : public Report {
   }
 
  private:
-  // The mesh as a whole is not decided yet: invalid elements are an obstacle, without them it is open.
-  static Json mesh_object(const Summary& summary) {
-    Json obstacles = Json::array();
-    if (summary.invalid > 0) {
-      obstacles.push_back({{"obstacle", "invalid_element"},
-                           {"count", summary.invalid},
-                           {"elements", summary.invalid_elements}});
-    }
-    return {{"verdict", summary.invalid > 0 ? "invalid_element" : "undecided"}, {"obstacles", obstacles}};
-  }
-
   std::ostream& stream_;
 };
 

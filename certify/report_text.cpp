@@ -1,3 +1,4 @@
+#include "mesh_text.hpp"
 #include "report.hpp"
 
 #include <ostream>
@@ -43,6 +44,9 @@ class TextReport : public Report {
     stream_ << '\n';
     for (std::size_t i = 0; i < summary.criteria.size(); ++i)
       criterion(*summary.criteria[i], summary.by_criterion[i]);
+    for (const std::string& line : mesh_lines(summary.mesh)) stream_ << input_ << ": " << line << '\n';
+    if (!summary.domain) return;
+    for (const std::string& line : domain_lines(*summary.domain)) stream_ << input_ << ": " << line << '\n';
   }
 
  private:

@@ -26,12 +26,16 @@ std::string text(const BoundaryRange& range) {
   return std::to_string(range.edge) + " from " + to_string(range.lower) + " to " + to_string(range.upper);
 }
 
+std::string text(const RealRoot& x) {
+  return to_string(x.polynomial, "x") + " in " + to_string(x.lower) + " " + to_string(x.upper);
+}
+
 Budget limits(std::size_t pieces, int depth) {
   Budget budget;
   budget.pieces = pieces;
   budget.depth = depth;
-  budget.boundary.pairs = 2000;
-  budget.boundary.depth = depth;
+  budget.contact.pairs = 2000;
+  budget.contact.depth = depth;
   return budget;
 }
 
@@ -42,6 +46,9 @@ std::string text(const Decision& d) {
          text(d.bounds.max_lower) + " " + text(d.bounds.max_upper) + ", sign proof " +
          std::string(d.sign_proof) + ", injectivity proof " + std::string(d.injectivity_proof) + ", open " +
          d.open + ", pieces " + std::to_string(d.pieces) +
+         (d.zero ? ", zero " + text(d.zero->at.u) + " " + text(d.zero->at.v) + " dimension " +
+                       std::to_string(d.zero->dimension)
+                 : "") +
          (d.overlap ? ", overlap " + text(d.overlap->first) + " and " + text(d.overlap->second) : "");
 }
 

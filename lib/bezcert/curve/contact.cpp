@@ -4,7 +4,6 @@
 #include "bezcert/curve/separation.hpp"
 
 #include <deque>
-#include <tuple>
 #include <vector>
 
 namespace bezcert {
@@ -156,8 +155,8 @@ class Search {
           if (parts_a[i] == a && parts_b[j] == b) continue;
           if (!cross(parts_a[i], parts_b[j])) continue;
           narrower = true;
-          // Both at once: a and b name the next pair.
-          std::tie(a, b) = std::pair(parts_a[i], parts_b[j]);
+          a = parts_a[i];
+          b = parts_b[j];
         }
       }
     }

@@ -15,8 +15,8 @@ bool is_zero(const Triple& p) {
   return std::all_of(p.begin(), p.end(), [](const Integer& c) { return c.is_zero(); });
 }
 
-// The Bernstein coefficients of (X, Y, W), divided by their common factor, of the true degree d and times C(d, i).
-// W > 0 at the first.
+// The Bernstein coefficients of (X, Y, W), divided by their common factor, of the true degree d and times
+// C(d, i). W > 0 at the first.
 std::vector<Triple> reduced(const CurveNet<Integer>& net) {
   std::array<Univariate, 3> f = {from_bernstein(net.x), from_bernstein(net.y), from_bernstein(net.w)};
   const Univariate divisor = gcd(f[0], gcd(f[1], f[2]));

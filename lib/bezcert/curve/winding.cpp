@@ -34,8 +34,8 @@ int crossing(const HomogeneousPoint<T>& p, const CurveNet<T>& net) {
   return turn < 0 ? -1 : 0;
 }
 
-// All control points are above the ray's line, or none is, or all are left of the point: no crossing, however the
-// piece runs. (On the line counts as below.)
+// All control points are above the ray's line, or none is, or all are left of the point: no crossing, however
+// the piece runs. (On the line counts as below.)
 template <class T>
 bool misses_ray(const HomogeneousPoint<T>& p, const CurveNet<T>& net) {
   bool above = true, not_above = true, left = true;
@@ -73,15 +73,20 @@ auto filtered_at(DyadicCurve& curve, DyadicCurve::Piece piece, const Ray& ray, P
 std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int depth) {
   const RoundingScope scope;
   const Integer w = lcm(Integer(denominator(point.x)), Integer(denominator(point.y)));
-  const auto scaled = [&](const Rational& c) { return Integer(Integer(numerator(c)) * (w / denominator(c))); };
-  const Ray ray{{to_interval(point.x), to_interval(point.y), Interval(1)}, {scaled(point.x), scaled(point.y), w}};
+  const auto scaled = [&](const Rational& c) {
+    return Integer(Integer(numerator(c)) * (w / denominator(c)));
+  };
+  const Ray ray{{to_interval(point.x), to_interval(point.y), Interval(1)},
+                {scaled(point.x), scaled(point.y), w}};
   int sum = 0;
   std::vector<DyadicCurve::Piece> pieces = {DyadicCurve::whole};
   while (!pieces.empty()) {
     const DyadicCurve::Piece piece = pieces.back();
     pieces.pop_back();
-    if (filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return misses_ray(p, net); })) continue;
-    if (filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return is_outside_hull(p, net); })) {
+    if (filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return misses_ray(p, net); }))
+      continue;
+    if (filtered_at(curve, piece, ray,
+                    [](const auto& p, const auto& net) { return is_outside_hull(p, net); })) {
       sum += filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return crossing(p, net); });
       continue;
     }

@@ -23,24 +23,37 @@ class Reader {
   explicit Reader(const std::string& file) : file_(file) {}
 
   Mesh read(const JsonValue& root) {
-    expect(root, Kind::object, "the file");
-    check_keys(root, {"bezcert", "elements", "curves", "points", "weights"});
-    const JsonValue& version = required(root, "bezcert", "the file");
-    if (version.kind != Kind::number || version.text != "1")
-      fail(version, "\"bezcert\" must be 1, the format's version");
+    check_file(root);
     read_shared_nodes(root);
-    if (const JsonValue* curves = root.find("curves")) check_curves(*curves);
+    if (const JsonValue* curves = root.find("curves")) curves_of(*curves);
     const JsonValue& elements = required(root, "elements", "the file");
     expect(elements, Kind::array, "\"elements\"");
     if (elements.items.empty()) fail(elements, "there are no elements");
     for (const JsonValue& element : elements.items) add(element);
     mesh_.basis_name = basis_name_;
     mesh_.numbers = Numbers::decimal;
+    mesh_.glued_by_nodes = all_by_nodes_;
     finish_weights();
     return std::move(mesh_);
   }
 
+  std::vector<InputCurve> read_curves(const JsonValue& root) {
+    check_file(root);
+    const JsonValue& curves = required(root, "curves", "the file");
+    std::vector<InputCurve> result = curves_of(curves);
+    if (result.empty()) fail(curves, "there are no curves");
+    return result;
+  }
+
  private:
+  void check_file(const JsonValue& root) const {
+    expect(root, Kind::object, "the file");
+    check_keys(root, {"bezcert", "elements", "curves", "points", "weights"});
+    const JsonValue& version = required(root, "bezcert", "the file");
+    if (version.kind != Kind::number || version.text != "1")
+      fail(version, "\"bezcert\" must be 1, the format's version");
+  }
+
   [[noreturn]] void fail(const JsonValue& where, const std::string& message) const {
     throw InputError(file_, where.line, message);
   }
@@ -187,6 +200,7 @@ class Reader {
                      std::to_string(list.items.size()));
     }
     const JsonValue* weights = element.find("weights");
+    all_by_nodes_ = all_by_nodes_ && nodes != nullptr;
     if (points != nullptr) {
       const std::size_t first = mesh_.x.size();
       if (first + count > std::numeric_limits<std::uint32_t>::max()) fail(element, "too many points");
@@ -219,30 +233,41 @@ class Reader {
     }
   }
 
-  void check_curves(const JsonValue& curves) const {
+  std::vector<InputCurve> curves_of(const JsonValue& curves) const {
     expect(curves, Kind::array, "\"curves\"");
-    for (const JsonValue& curve : curves.items) {
-      expect(curve, Kind::object, "a curve");
-      check_keys(curve, {"degree", "points", "weights", "name", "source"});
-      const auto count = static_cast<std::size_t>(degree(required(curve, "degree", "a curve"))) + 1;
-      const JsonValue& points = required(curve, "points", "a curve");
-      expect(points, Kind::array, "\"points\"");
-      if (points.items.size() != count) {
-        fail(points, "a curve of this degree has " + std::to_string(count) + " points, not " +
-                         std::to_string(points.items.size()));
-      }
-      for (const JsonValue& point : points.items) {
-        if (point.kind != Kind::array || point.items.size() != 2) fail(point, "a point must be [x, y]");
-        for (const JsonValue& coordinate : point.items) number(coordinate, "a coordinate");
-      }
-      if (const JsonValue* weights = curve.find("weights")) {
-        expect(*weights, Kind::array, "\"weights\"");
-        if (weights->items.size() != count) fail(*weights, "there must be one weight a point");
-        for (const JsonValue& weight : weights->items) {
-          if (number(weight, "a weight").sign() <= 0) fail(weight, "a weight is not positive");
-        }
+    std::vector<InputCurve> result;
+    for (const JsonValue& curve : curves.items) result.push_back(curve_of(curve));
+    return result;
+  }
+
+  InputCurve curve_of(const JsonValue& curve) const {
+    expect(curve, Kind::object, "a curve");
+    check_keys(curve, {"degree", "points", "weights", "name", "source"});
+    InputCurve result;
+    result.line = static_cast<std::uint32_t>(curve.line);
+    result.name = optional_text(curve, "name");
+    optional_text(curve, "source");
+    const auto count = static_cast<std::size_t>(degree(required(curve, "degree", "a curve"))) + 1;
+    const JsonValue& points = required(curve, "points", "a curve");
+    expect(points, Kind::array, "\"points\"");
+    if (points.items.size() != count) {
+      fail(points, "a curve of this degree has " + std::to_string(count) + " points, not " +
+                       std::to_string(points.items.size()));
+    }
+    for (const JsonValue& point : points.items) {
+      if (point.kind != Kind::array || point.items.size() != 2) fail(point, "a point must be [x, y]");
+      result.x.push_back(number(point.items[0], "a coordinate"));
+      result.y.push_back(number(point.items[1], "a coordinate"));
+    }
+    if (const JsonValue* weights = curve.find("weights")) {
+      expect(*weights, Kind::array, "\"weights\"");
+      if (weights->items.size() != count) fail(*weights, "there must be one weight a point");
+      for (const JsonValue& weight : weights->items) {
+        result.weights.push_back(number(weight, "a weight"));
+        if (result.weights[result.weights.size() - 1].sign() <= 0) fail(weight, "a weight is not positive");
       }
     }
+    return result;
   }
 
   // Lagrange weights can be positive and convert to weights that are not: building the element tells.
@@ -266,6 +291,7 @@ class Reader {
   Mesh mesh_;
   ExactVector weights_;  // of all points; used only if some were given
   bool has_weights_ = false;
+  bool all_by_nodes_ = true;  // no element lists its own points
   std::size_t shared_ = 0;
   std::string basis_name_;
 };
@@ -274,6 +300,10 @@ class Reader {
 
 Mesh read_bez_json(const std::string& file, std::string_view bytes) {
   return Reader(file).read(parse_json(file, bytes));
+}
+
+std::vector<InputCurve> read_bez_json_curves(const std::string& file, std::string_view bytes) {
+  return Reader(file).read_curves(parse_json(file, bytes));
 }
 
 void write_bez_json(std::ostream& stream, const Element& element, const std::string& name,

@@ -1,6 +1,7 @@
 // Our own exact format, .bez.json (docs/formats.md). All numbers mean their exact decimal value, or p/q.
 #pragma once
 
+#include "bezcert/mesh/input_curve.hpp"
 #include "bezcert/mesh/mesh.hpp"
 
 #include <iosfwd>
@@ -11,6 +12,9 @@ namespace bezcert {
 
 /// Throws InputError. Curves are checked for their form and left out: a mesh has elements only.
 Mesh read_bez_json(const std::string& file, std::string_view bytes);
+
+/// The curves of a file, at least one; it need not have elements, which are not looked at. Throws InputError.
+std::vector<InputCurve> read_bez_json_curves(const std::string& file, std::string_view bytes);
 
 /// One element with its points as given, exactly; `name` and `source` are left out if empty.
 void write_bez_json(std::ostream& stream, const Element& element, const std::string& name,

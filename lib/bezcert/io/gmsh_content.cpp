@@ -159,6 +159,7 @@ Mesh GmshContent::finish() {
   }
   mesh_.basis_name = options_.basis == Basis::lagrange ? "lagrange" : "bernstein";
   mesh_.numbers = options_.numbers;
+  mesh_.node_tags = std::move(node_tags_);
   return std::move(mesh_);
 }
 

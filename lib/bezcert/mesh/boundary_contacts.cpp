@@ -1,6 +1,5 @@
 #include "bezcert/mesh/boundary_contacts.hpp"
 
-#include "bezcert/curve/contact.hpp"
 #include "bezcert/curve/same_curve.hpp"
 #include "bezcert/mesh/box_sweep.hpp"
 #include "bezcert/mesh/curve_parameters.hpp"
@@ -37,13 +36,14 @@ bool run_together(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
 
 class BoundaryCheck {
  public:
-  BoundaryCheck(const MeshEdges& edges, const Gluing& gluing, const Fans& fans, ObstacleList& obstacles)
-      : edges_(edges), gluing_(gluing), fans_(fans), obstacles_(obstacles) {}
+  BoundaryCheck(const MeshEdges& edges, const Gluing& gluing, const Fans& fans, const ContactBudget& budget,
+                ObstacleList& obstacles)
+      : edges_(edges), gluing_(gluing), fans_(fans), budget_(budget), obstacles_(obstacles) {}
 
   void run() {
     std::vector<Box> boxes;
     for (EdgeUse use = 0; use < edges_.count(); ++use) {
-      if (!gluing_.is_boundary(use)) continue;
+      if (!gluing_.is_boundary(use) || gluing_.faulty[use]) continue;
       const RoundingScope scope;
       uses_.push_back(use);
       boxes.push_back(edges_.box(use));
@@ -60,21 +60,23 @@ class BoundaryCheck {
 
   void look_at(EdgeUse a, EdgeUse b) {
     if (edges_.element(a) == edges_.element(b)) return;  // it is injective
-    // Edges that begin (or end) at one vertex are parts of different fans or of a gluing obstacle: already reported.
+    const auto& asked = obstacles_.element();
+    if (asked && edges_.element(a) != *asked && edges_.element(b) != *asked) return;
+    // Edges that begin (or end) at one vertex are parts of different fans or of a gluing obstacle: already
+    // reported.
     if (begin(a) == begin(b) || end(a) == end(b)) return;
     const Joints joints{end(a) == begin(b), begin(a) == end(b)};
-    if (joints.end_to_begin && joints.begin_to_end && gluing_.faulty[a] && gluing_.faulty[b]) return;
-    const ContactResult result = find_contact(curve(a), curve(b), joints);
+    const ContactResult result = find_contact(curve(a), curve(b), joints, budget_);
     if (result.status == ContactStatus::none) return;
     if (result.status == ContactStatus::open) return open(a, b, result.exhausted);
     const CurveNet<Integer> net_a = edges_.exact(a), net_b = edges_.exact(b);
     if (same_curve(net_a, reversed(net_b))) return coincide(a, b);
-    if (run_together(net_a, net_b)) {
-      if (hanging(a, net_a, b) || hanging(b, net_b, a)) return;
-    }
+    Contact contact = *result.contact;
+    contact.along_a_piece = contact.along_a_piece || run_together(net_a, net_b);
+    if (contact.along_a_piece && (hanging(a, net_a, b) || hanging(b, net_b, a))) return;
     if (nearly_hanging(a, b)) return;
-    if (two_nodes(a, b, *result.contact)) return;
-    meet(a, b, *result.contact, net_a);
+    if (two_nodes(a, b, contact)) return;
+    meet(a, b, contact, net_a);
   }
 
   // Curves of the edges compared lately, so that a neighbour's subdivision is not done again.
@@ -82,7 +84,8 @@ class BoundaryCheck {
     constexpr std::size_t kept = 4096;
     if (curves_.size() >= kept && !curves_.contains(use)) {
       // Both curves of a pair must live: one is fetched right after the other.
-      for (auto it = curves_.begin(); it != curves_.end();) it = it->first == last_ ? std::next(it) : curves_.erase(it);
+      for (auto it = curves_.begin(); it != curves_.end();)
+        it = it->first == last_ ? std::next(it) : curves_.erase(it);
     }
     last_ = use;
     const RoundingScope scope;
@@ -122,21 +125,60 @@ class BoundaryCheck {
     add(std::move(result));
   }
 
-  // An end of `other` inside edge `use`, which it runs along.
+  // An end of `other` inside edge `use`, along which run it and all boundary edges between it and an end of
+  // `use`.
   bool hanging(EdgeUse use, const CurveNet<Integer>& net, EdgeUse other) {
+    const std::vector<EdgeUse> chain = chain_along(use, net);
+    if (std::find(chain.begin(), chain.end(), other) == chain.end()) return false;
     for (const std::uint32_t node : {begin(other), end(other)}) {
       if (node == begin(use) || node == end(use) || !passes_inside(net, edges_.point(node))) continue;
       if (!hanging_.insert({node, use}).second) return true;
-      MeshObstacle result = obstacle(MeshVerdict::non_conforming, use, other);
-      name_nodes(edges_, {node, begin(use), end(use)}, result);
-      result.distance = DistanceBounds{};
-      result.message = node_text(edges_, node) + ", a corner of element " +
-                       std::to_string(edges_.element_number(other)) + ", lies inside " + edge_text(use);
+      MeshObstacle result;
+      result.kind = MeshVerdict::non_conforming;
+      for (const EdgeUse one : chain) {
+        if (begin(one) == node || end(one) == node) result.elements.push_back(edges_.element(one));
+      }
+      std::sort(result.elements.begin(), result.elements.end());
+      result.elements.erase(std::unique(result.elements.begin(), result.elements.end()),
+                            result.elements.end());
+      result.message = node_text(edges_, node) + ", a corner of " +
+                       elements_text(edges_.mesh(), result.elements) + ", lies inside " + edge_text(use);
       result.hint = "a hanging node: split that element there, or remove the node";
+      result.elements.insert(
+          std::lower_bound(result.elements.begin(), result.elements.end(), edges_.element(use)),
+          edges_.element(use));
+      name_nodes(edges_, {node}, result);
+      result.distance = DistanceBounds{};
       add(std::move(result));
       return true;
     }
     return false;
+  }
+
+  // The boundary edges before and after `use` that run along it, as far as they do.
+  std::vector<EdgeUse> chain_along(EdgeUse use, const CurveNet<Integer>& net) {
+    constexpr std::size_t longest = 256;
+    std::vector<EdgeUse> chain;
+    const auto walk = [&](const std::vector<EdgeUse>& step) {
+      for (EdgeUse one = step[use]; one != no_edge && one != use && chain.size() < longest; one = step[one]) {
+        if (!run_together(net, edges_.exact(one))) break;
+        if (std::find(chain.begin(), chain.end(), one) != chain.end()) break;
+        chain.push_back(one);
+      }
+    };
+    walk(fans_.next_boundary);
+    walk(previous_boundary());
+    return chain;
+  }
+
+  const std::vector<EdgeUse>& previous_boundary() {
+    if (previous_.empty()) {
+      previous_.assign(edges_.count(), no_edge);
+      for (EdgeUse use = 0; use < edges_.count(); ++use) {
+        if (fans_.next_boundary[use] != no_edge) previous_[fans_.next_boundary[use]] = use;
+      }
+    }
+    return previous_;
   }
 
   // The two belong to a hole of three edges that is not open: an edge and two edges between its ends.
@@ -144,7 +186,8 @@ class BoundaryCheck {
     std::array<EdgeUse, 3> loop = {a, fans_.next_boundary[a], no_edge};
     if (loop[1] == no_edge) return false;
     loop[2] = fans_.next_boundary[loop[1]];
-    if (loop[2] == no_edge || fans_.next_boundary[loop[2]] != a || (b != loop[1] && b != loop[2])) return false;
+    if (loop[2] == no_edge || fans_.next_boundary[loop[2]] != a || (b != loop[1] && b != loop[2]))
+      return false;
     const auto length = [&](EdgeUse use) {
       const Point p = edges_.point(begin(use)), q = edges_.point(end(use));
       return Rational((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y));
@@ -154,12 +197,16 @@ class BoundaryCheck {
     std::rotate(loop.begin(), longest, loop.end());
     const std::uint32_t node = end(loop[1]);
     if (!hanging_.insert({node, loop[0]}).second) return true;
-    MeshObstacle result = obstacle(MeshVerdict::non_conforming, loop[0], loop[1]);
-    if (edges_.element(loop[2]) != result.elements[1]) result.elements.push_back(edges_.element(loop[2]));
-    name_nodes(edges_, {node, begin(loop[0]), end(loop[0])}, result);
+    MeshObstacle result;
+    result.kind = MeshVerdict::non_conforming;
+    for (const EdgeUse use : loop) result.elements.push_back(edges_.element(use));
+    std::sort(result.elements.begin(), result.elements.end());
+    result.elements.erase(std::unique(result.elements.begin(), result.elements.end()), result.elements.end());
+    name_nodes(edges_, {node}, result);
     result.distance = distance_bounds(edges_.exact(loop[0]), edges_.point(node));
-    result.message = node_text(edges_, node) + " lies between the ends of " + edge_text(loop[0]) + ", at most " +
-                     to_decimal(to_rational(result.distance->upper)) + " from it, and the edges on both sides meet";
+    result.message = node_text(edges_, node) + " lies between the ends of " + edge_text(loop[0]) +
+                     ", at most " + to_decimal(to_rational(result.distance->upper)) +
+                     " from it, and the edges on both sides meet";
     result.hint = "a hanging node: split that element there, or remove the node";
     add(std::move(result));
     return true;
@@ -178,8 +225,8 @@ class BoundaryCheck {
     if (!touching_.insert(std::minmax(*node_a, *node_b)).second) return true;
     MeshObstacle result = obstacle(MeshVerdict::overlapping_boundary, a, b);
     name_nodes(edges_, {*node_a, *node_b}, result);
-    result.message = elements_text(edges_.mesh(), result.elements) + " touch: " + node_text(edges_, *node_a) + " and " +
-                     node_text(edges_, *node_b) + " are one point";
+    result.message = elements_text(edges_.mesh(), result.elements) + " touch: " + node_text(edges_, *node_a) +
+                     " and " + node_text(edges_, *node_b) + " are one point";
     result.hint = "nodes are not merged, or the parts touch in one point";
     add(std::move(result));
     return true;
@@ -208,8 +255,10 @@ class BoundaryCheck {
   const MeshEdges& edges_;
   const Gluing& gluing_;
   const Fans& fans_;
+  const ContactBudget& budget_;
   ObstacleList& obstacles_;
   std::vector<EdgeUse> uses_;
+  std::vector<EdgeUse> previous_;  // the inverse of next_boundary, once it is needed
   std::map<EdgeUse, DyadicCurve> curves_;
   EdgeUse last_ = no_edge;
   // Already reported: (node, edge), and two nodes.
@@ -220,8 +269,9 @@ class BoundaryCheck {
 
 }  // namespace
 
-void check_boundary(const MeshEdges& edges, const Gluing& gluing, const Fans& fans, ObstacleList& obstacles) {
-  BoundaryCheck(edges, gluing, fans, obstacles).run();
+void check_boundary(const MeshEdges& edges, const Gluing& gluing, const Fans& fans,
+                    const ContactBudget& budget, ObstacleList& obstacles) {
+  BoundaryCheck(edges, gluing, fans, budget, obstacles).run();
 }
 
 }  // namespace bezcert

@@ -38,7 +38,8 @@ std::vector<BoundaryLoop> find_loops(const MeshEdges& edges, const Gluing& gluin
     BoundaryLoop loop;
     loop.component = components.of_element[edges.element(seed)];
     EdgeUse use = seed;
-    // `next_boundary` is injective, so a chain returns to its seed or ends; it may have been entered in its middle.
+    // `next_boundary` is injective, so a chain returns to its seed or ends; it may have been entered in its
+    // middle.
     while (use != no_edge && !seen[use]) {
       seen[use] = true;
       loop.uses.push_back(use);
@@ -49,8 +50,8 @@ std::vector<BoundaryLoop> find_loops(const MeshEdges& edges, const Gluing& gluin
   return result;
 }
 
-std::vector<long> euler_characteristics(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                                        const Components& components) {
+std::vector<long> euler_characteristics(const MeshEdges& edges, const Gluing& gluing,
+                                        const CornersByVertex& corners, const Components& components) {
   std::vector<long> result(components.count, 0);
   for (EdgeUse use = 0; use < edges.count(); ++use) {
     const bool counted = gluing.is_boundary(use) || use < gluing.twin[use];

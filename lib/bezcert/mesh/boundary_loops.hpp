@@ -24,7 +24,7 @@ std::vector<BoundaryLoop> find_loops(const MeshEdges& edges, const Gluing& gluin
                                      const Components& components);
 
 /// V - E + F of every component. Precondition: no vertex is bad.
-std::vector<long> euler_characteristics(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                                        const Components& components);
+std::vector<long> euler_characteristics(const MeshEdges& edges, const Gluing& gluing,
+                                        const CornersByVertex& corners, const Components& components);
 
 }  // namespace bezcert

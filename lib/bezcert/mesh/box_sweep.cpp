@@ -5,7 +5,8 @@
 
 namespace bezcert {
 
-void for_overlapping_boxes(std::span<const Box> boxes, const std::function<bool(std::size_t, std::size_t)>& visit) {
+void for_overlapping_boxes(std::span<const Box> boxes,
+                           const std::function<bool(std::size_t, std::size_t)>& visit) {
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

@@ -8,8 +8,9 @@
 
 namespace bezcert {
 
-/// Calls visit(i, j), i < j, for every pair of boxes that overlap or touch, in an order that depends on the boxes only;
-/// stops when it returns false.
-void for_overlapping_boxes(std::span<const Box> boxes, const std::function<bool(std::size_t, std::size_t)>& visit);
+/// Calls visit(i, j), i < j, for every pair of boxes that overlap or touch, in an order that depends on the
+/// boxes only; stops when it returns false.
+void for_overlapping_boxes(std::span<const Box> boxes,
+                           const std::function<bool(std::size_t, std::size_t)>& visit);
 
 }  // namespace bezcert

@@ -4,7 +4,6 @@
 #include "bezcert/mesh/box_sweep.hpp"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
 namespace bezcert {
@@ -19,57 +18,33 @@ class ComponentCheck {
     for (std::size_t i = 0; i < loops.size(); ++i) loops_of_[loops[i].component].push_back(i);
   }
 
-  ComponentSummary run(const CornersByVertex& corners, const Fans& fans) {
-    ComponentSummary result;
+  AreaBounds run(const CornersByVertex& corners) {
+    AreaBounds result;
     outer_.assign(components_.count, 0);
     std::vector<std::size_t> outer_loops(components_.count, 0);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       const LoopArea area = loop_area(edges_, loops_[i]);
-      result.area.lower += area.bounds.lower;
-      result.area.upper += area.bounds.upper;
-      if (area.orientation < 0) {
-        ++result.holes;
-      } else {
-        ++outer_loops[loops_[i].component];
-        outer_[loops_[i].component] = i;
-      }
+      result.lower += area.bounds.lower;
+      result.upper += area.bounds.upper;
+      if (area.orientation < 0) continue;
+      ++outer_loops[loops_[i].component];
+      outer_[loops_[i].component] = i;
     }
     const std::vector<long> characteristics = euler_characteristics(edges_, gluing_, corners, components_);
-    std::map<std::uint32_t, std::vector<std::uint32_t>> cusps;
-    for (const std::uint32_t vertex : fans.cusps) {
-      cusps[component_at(corners.corners[corners.start[vertex]])].push_back(vertex);
-    }
     for (std::uint32_t component = 0; component < components_.count; ++component) {
       const auto genus_0 = characteristics[component] == 2 - static_cast<long>(loops_of_[component].size());
       if (outer_loops[component] == 1 && genus_0) continue;
-      if (!cusps.contains(component)) {
-        throw std::logic_error("component " + std::to_string(component + 1) + " of the mesh has " +
-                               std::to_string(outer_loops[component]) +
-                               " outer loops, against a theorem: a defect of bezcert");
-      }
-      for (const std::uint32_t vertex : cusps[component]) folded_cusp(corners, vertex);
+      throw std::logic_error("component " + std::to_string(component + 1) + " of the mesh has " +
+                             std::to_string(outer_loops[component]) +
+                             " outer loops, against a theorem: a defect of bezcert");
     }
-    if (obstacles_.empty()) check_pairs();
+    check_pairs();
     return result;
   }
 
  private:
-  std::uint32_t component_at(EdgeUse use) const { return components_.of_element[edges_.element(use)]; }
-
-  void folded_cusp(const CornersByVertex& corners, std::uint32_t vertex) {
-    MeshObstacle result;
-    result.kind = MeshVerdict::folded_vertex;
-    for (std::uint32_t i = corners.start[vertex]; i < corners.start[vertex + 1]; ++i) {
-      result.elements.push_back(edges_.element(corners.corners[i]));
-    }
-    name_nodes(edges_, {vertex}, result);
-    result.message = elements_text(edges_.mesh(), result.elements) + " make one full turn around the boundary vertex " +
-                     node_text(edges_, vertex) + " and may overlap behind it";
-    result.hint = "its component winds over itself at one or more of the vertices with a full turn";
-    obstacles_.add(std::move(result));
-  }
-
-  // Two components overlap if and only if the outer loop of one lies in the other (docs/mesh.md): one vertex tells.
+  // Two components overlap if and only if the outer loop of one lies in the other (docs/mesh.md): one vertex
+  // tells.
   void check_pairs() {
     std::vector<Box> boxes;
     for (std::size_t component = 0; component < components_.count; ++component) {
@@ -86,8 +61,8 @@ class ComponentCheck {
     Box box = edges_.box(loop.uses[0]);
     for (const EdgeUse use : loop.uses) {
       const Box other = edges_.box(use);
-      box = {std::min(box.x_low, other.x_low), std::max(box.x_high, other.x_high), std::min(box.y_low, other.y_low),
-             std::max(box.y_high, other.y_high)};
+      box = {std::min(box.x_low, other.x_low), std::max(box.x_high, other.x_high),
+             std::min(box.y_low, other.y_low), std::max(box.y_high, other.y_high)};
     }
     return box;
   }
@@ -139,10 +114,10 @@ class ComponentCheck {
 
 }  // namespace
 
-ComponentSummary check_components(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                                  const Fans& fans, const Components& components,
-                                  const std::vector<BoundaryLoop>& loops, ObstacleList& obstacles) {
-  return ComponentCheck(edges, gluing, components, loops, obstacles).run(corners, fans);
+AreaBounds check_components(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                            const Components& components, const std::vector<BoundaryLoop>& loops,
+                            ObstacleList& obstacles) {
+  return ComponentCheck(edges, gluing, components, loops, obstacles).run(corners);
 }
 
 }  // namespace bezcert

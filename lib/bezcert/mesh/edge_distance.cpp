@@ -22,8 +22,8 @@ std::vector<Integer> scaled_product(const std::vector<Integer>& f, const std::ve
   return result;
 }
 
-// The curve a - b: (X1 W2 - X2 W1, Y1 W2 - Y2 W1, W1 W2), times the least common multiple of the binomials, which
-// makes their division exact.
+// The curve a - b: (X1 W2 - X2 W1, Y1 W2 - Y2 W1, W1 W2), times the least common multiple of the binomials,
+// which makes their division exact.
 CurveNet<Integer> difference(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
   const auto minus = [](std::vector<Integer> f, const std::vector<Integer>& g) {
     for (std::size_t k = 0; k < f.size(); ++k) f[k] -= g[k];

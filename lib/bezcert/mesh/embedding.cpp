@@ -10,8 +10,8 @@ namespace bezcert {
 namespace {
 
 // One obstacle for all elements of a state: it names the first few.
-void list_elements(const Mesh& mesh, std::span<const ElementState> states, ElementState state, MeshVerdict kind,
-                   const std::string& what, ObstacleList& obstacles) {
+void list_elements(const Mesh& mesh, std::span<const ElementState> states, ElementState state,
+                   MeshVerdict kind, const std::string& what, ObstacleList& obstacles) {
   constexpr std::size_t listed = 10;
   MeshObstacle obstacle;
   obstacle.kind = kind;
@@ -30,34 +30,34 @@ void list_elements(const Mesh& mesh, std::span<const ElementState> states, Eleme
 
 }  // namespace
 
-MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states) {
-  if (states.size() != mesh.elements.size()) throw std::invalid_argument("examine_mesh: one state an element");
+MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states, const MeshOptions& options) {
+  if (states.size() != mesh.elements.size())
+    throw std::invalid_argument("examine_mesh: one state an element");
   MeshResult result;
   ObstacleList& obstacles = result.obstacles;
-  list_elements(mesh, states, ElementState::invalid, MeshVerdict::invalid_element, "not injective", obstacles);
+  obstacles = ObstacleList(options.element);
+  list_elements(mesh, states, ElementState::invalid, MeshVerdict::invalid_element, "not injective",
+                obstacles);
   list_elements(mesh, states, ElementState::open, MeshVerdict::undecided, "not decided", obstacles);
   const bool all_injective = obstacles.empty();
 
   const MeshEdges edges(mesh);
   const Gluing gluing = glue(edges, obstacles);
   const CornersByVertex corners = corners_by_vertex(edges, gluing);
-  Fans fans = link_fans(edges, gluing, corners, obstacles);
+  const Fans fans = link_fans(edges, gluing, corners, obstacles);
   const Components components = find_components(edges, gluing);
   result.components = components.count;
   if (all_injective) {
     check_turns(edges, gluing, corners, fans, obstacles);
-    check_boundary(edges, gluing, fans, obstacles);
+    check_boundary(edges, gluing, fans, options.contact, obstacles);
   }
   if (std::find(fans.bad.begin(), fans.bad.end(), true) == fans.bad.end()) {
     const std::vector<BoundaryLoop> loops = find_loops(edges, gluing, fans, components);
     result.loops = loops.size();
-    if (obstacles.empty()) {
-      const ComponentSummary summary =
-          check_components(edges, gluing, corners, fans, components, loops, obstacles);
-      if (obstacles.empty()) {
-        result.holes = summary.holes;
-        result.area = summary.area;
-      }
+    result.holes = loops.size() - std::min(loops.size(), components.count);
+    if (obstacles.empty() && !options.element) {
+      const AreaBounds area = check_components(edges, gluing, corners, components, loops, obstacles);
+      if (obstacles.empty()) result.area = area;
     }
   }
   result.verdict = obstacles.verdict();

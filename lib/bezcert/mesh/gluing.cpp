@@ -60,7 +60,8 @@ class Gluer {
     gluing_.begin = begin_vertices(edges_);
     gluing_.twin.assign(edges_.count(), no_edge);
     gluing_.faulty.assign(edges_.count(), false);
-    // Buckets by the smaller vertex, in each sorted by the larger: linear for a mesh, whose vertices have few edges.
+    // Buckets by the smaller vertex, in each sorted by the larger: linear for a mesh, whose vertices have few
+    // edges.
     std::vector<std::uint32_t> start(edges_.mesh().x.size() + 2, 0);
     for (EdgeUse use = 0; use < edges_.count(); ++use) ++start[smaller(use) + 2];
     std::partial_sum(start.begin(), start.end(), start.begin());
@@ -71,8 +72,9 @@ class Gluer {
     }
     for (std::size_t bucket = 0; bucket + 1 < start.size(); ++bucket) {
       const auto begin = uses.begin() + start[bucket], end = uses.begin() + start[bucket + 1];
-      std::sort(begin, end,
-                [](const Use& a, const Use& b) { return std::tie(a.other, a.use) < std::tie(b.other, b.use); });
+      std::sort(begin, end, [](const Use& a, const Use& b) {
+        return std::tie(a.other, a.use) < std::tie(b.other, b.use);
+      });
       for (auto first = begin; first != end;) {
         auto last = first;
         while (last != end && last->other == first->other) ++last;
@@ -84,9 +86,7 @@ class Gluer {
   }
 
  private:
-  std::uint32_t smaller(EdgeUse use) const {
-    return std::min(gluing_.begin[use], gluing_.end(edges_, use));
-  }
+  std::uint32_t smaller(EdgeUse use) const { return std::min(gluing_.begin[use], gluing_.end(edges_, use)); }
 
   // All uses between two vertices.
   void group(const std::vector<Use>& uses) {
@@ -131,15 +131,17 @@ class Gluer {
   }
 
   MeshObstacle obstacle(MeshVerdict kind, const std::vector<Use>& uses) {
+    constexpr std::size_t named = 100;
     MeshObstacle result;
     result.kind = kind;
     for (const Use& use : uses) {
       gluing_.faulty[use.use] = true;
-      result.elements.push_back(edges_.element(use.use));
+      if (result.elements.size() < named) result.elements.push_back(edges_.element(use.use));
     }
-    const std::uint32_t a = gluing_.begin[uses[0].use], b = gluing_.end(edges_, uses[0].use);
+    const std::uint32_t a = smaller(uses[0].use), b = uses[0].other;
     name_nodes(edges_, {a, b}, result);
     result.message = elements_text(edges_.mesh(), result.elements);
+    if (uses.size() > named) result.message += " (" + std::to_string(uses.size()) + " in all)";
     where_ = "the edge from " + node_text(edges_, a) + " to " + node_text(edges_, b);
     return result;
   }
@@ -163,9 +165,10 @@ class Gluer {
     result.distance = largest_distance(a, b);
     result.message += " have different curves on " + where_ + ", " + text_of(*result.distance) +
                       " apart at most at equal parameters";
-    result.hint = have_same_image(a, b) ? "they have one shape, but run through it differently: inner nodes (or "
-                                          "weights) are placed differently along the edge"
-                                        : "inner nodes (control points, weights) of the edge differ";
+    result.hint = have_same_image(a, b)
+                      ? "they have one shape, but run through it differently: inner nodes (or "
+                        "weights) are placed differently along the edge"
+                      : "inner nodes (control points, weights) of the edge differ";
     obstacles_.add(std::move(result));
   }
 
@@ -195,7 +198,8 @@ CornersByVertex corners_by_vertex(const MeshEdges& edges, const Gluing& gluing) 
   for (const std::uint32_t vertex : gluing.begin) ++result.start[vertex + 2];
   std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
   result.corners.resize(edges.count());
-  for (EdgeUse use = 0; use < edges.count(); ++use) result.corners[result.start[gluing.begin[use] + 1]++] = use;
+  for (EdgeUse use = 0; use < edges.count(); ++use)
+    result.corners[result.start[gluing.begin[use] + 1]++] = use;
   result.start.pop_back();
   return result;
 }

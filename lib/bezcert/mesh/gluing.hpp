@@ -1,9 +1,10 @@
 // Which edges of elements are one edge of the mesh.
 //
-// Uses of an edge are grouped by their two end vertices (a counting sort: linear), and within a group by being the
-// same curve (same_curve.hpp). Two uses of one curve in opposite directions are glued. Three or more, or two in the
-// same direction, are non_manifold. Two uses that are left alone in their group in opposite directions have different
-// curves: non_conforming. What else is left alone is boundary. Definitions: docs/mesh.md, "Gluing".
+// Uses of an edge are grouped by their two end vertices (a counting sort: linear), and within a group by
+// being the same curve (same_curve.hpp). Two uses of one curve in opposite directions are glued. Three or
+// more, or two in the same direction, are non_manifold. Two uses that are left alone in their group in
+// opposite directions have different curves: non_conforming. What else is left alone is boundary.
+// Definitions: docs/mesh.md, "Gluing".
 #pragma once
 
 #include "bezcert/mesh/obstacle.hpp"
@@ -27,7 +28,8 @@ struct Gluing {
 /// Adds non_manifold and non_conforming obstacles.
 Gluing glue(const MeshEdges& edges, ObstacleList& obstacles);
 
-/// The corners (uses that begin there) of every vertex: those of vertex v are corners[start[v]] ... corners[start[v+1]-1].
+/// The corners (uses that begin there) of every vertex: those of vertex v are corners[start[v]] ...
+/// corners[start[v+1]-1].
 struct CornersByVertex {
   std::vector<std::uint32_t> start;
   std::vector<EdgeUse> corners;

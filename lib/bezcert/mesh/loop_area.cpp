@@ -32,7 +32,8 @@ std::vector<Integer> integrand(const std::vector<Integer>& x, const std::vector<
   return result;
 }
 
-// The integral over [0, 1] is the mean of the Bernstein coefficients; of the positive and of the negative ones.
+// The integral over [0, 1] is the mean of the Bernstein coefficients; of the positive and of the negative
+// ones.
 std::pair<Rational, Rational> means(const std::vector<Integer>& scaled) {
   const int degree = static_cast<int>(scaled.size()) - 1;
   Rational positive = 0, negative = 0;
@@ -62,7 +63,8 @@ AreaBounds piece_share(const CurveNet<Integer>& net) {
   // X and Y have the factor w0 more.
   const Integer twice = 2 * w0 * w0;
   const Rational low(Integer(twice * *w_low * *w_low)), high(Integer(twice * *w_high * *w_high));
-  const Rational chord = Rational(Integer(x0 * net.y[last] - y0 * net.x[last]), Integer(2 * w0 * net.w[last]));
+  const Rational chord =
+      Rational(Integer(x0 * net.y[last] - y0 * net.x[last]), Integer(2 * w0 * net.w[last]));
   return {chord + positive / high + negative / low, chord + positive / low + negative / high};
 }
 
@@ -79,8 +81,8 @@ bool is_narrow(const AreaBounds& area) {
   return (area.upper - area.lower) * 1024 <= smaller;
 }
 
-// The winding number of a simple chain is 0 outside and its orientation inside. Points beside the middle of the first
-// edge, nearer and nearer on both sides: one side is inside.
+// The winding number of a simple chain is 0 outside and its orientation inside. Points beside the middle of
+// the first edge, nearer and nearer on both sides: one side is inside.
 int orientation_by_winding(const MeshEdges& edges, const BoundaryLoop& loop) {
   constexpr int enough_halvings = 256;
   const RoundingScope scope;

@@ -1,8 +1,10 @@
-// The signed area inside a closed chain of edges, exactly where they are polynomial, else between proven bounds.
+// The signed area inside a closed chain of edges, exactly where they are polynomial, else between proven
+// bounds.
 //
-// Area = integral of (x dy - y dx) / 2 along the chain (Green). Polynomial edges: products of Bernstein polynomials are
-// integrated exactly. Rational edges: on every piece the chord's share is exact and the rest, between chord and
-// piece, is enclosed by the signs of the control points of its integrand; halving shrinks that fast. docs/mesh.md.
+// Area = integral of (x dy - y dx) / 2 along the chain (Green). Polynomial edges: products of Bernstein
+// polynomials are integrated exactly. Rational edges: on every piece the chord's share is exact and the rest,
+// between chord and piece, is enclosed by the signs of the control points of its integrand; halving shrinks
+// that fast. docs/mesh.md.
 #pragma once
 
 #include "bezcert/mesh/boundary_loops.hpp"
@@ -22,9 +24,9 @@ struct LoopArea {
   int orientation = 0;
 };
 
-/// Positive where the chain runs counter-clockwise; upper - lower <= 2^-10 |area| but for very thin chains of rational
-/// edges, whose orientation is found by the winding number around a point beside them.
-/// Precondition: the chain is simple and closed.
+/// Positive where the chain runs counter-clockwise; upper - lower <= 2^-10 |area| but for very thin chains of
+/// rational edges, whose orientation is found by the winding number around a point beside them. Precondition:
+/// the chain is simple and closed.
 LoopArea loop_area(const MeshEdges& edges, const BoundaryLoop& loop);
 
 }  // namespace bezcert

@@ -38,8 +38,8 @@ class Mesh {
   /// Names and expected verdicts of elements (.bez.json); empty, or one an element.
   std::vector<std::string> names;
   std::vector<std::string> expected;
-  /// Whether elements are neighbours by common nodes (.msh); otherwise by edges that are exactly equal, and corners
-  /// are one vertex if they are one point (.bez.json with elements that list their own points).
+  /// Whether elements are neighbours by common nodes (.msh); otherwise by edges that are exactly equal, and
+  /// corners are one vertex if they are one point (.bez.json with elements that list their own points).
   bool glued_by_nodes = true;
   /// The numbers that the file gives its nodes; empty if it has none (then they are their places, from 0).
   std::vector<std::uint64_t> node_tags;

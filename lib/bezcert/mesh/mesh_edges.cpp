@@ -46,8 +46,8 @@ ScaledIntegers common_coordinates(const Mesh& mesh, const std::vector<std::uint3
   return scaled_integers(all);
 }
 
-// Differences to the first are taken first: of equal numbers they are exactly 0, and a straight edge along an axis
-// is seen as such without exact numbers.
+// Differences to the first are taken first: of equal numbers they are exactly 0, and a straight edge along an
+// axis is seen as such without exact numbers.
 std::vector<Interval> relative(const ExactVector& numbers, const std::vector<std::uint32_t>& nodes,
                                std::uint32_t origin) {
   std::vector<Interval> result;
@@ -212,7 +212,8 @@ Vector2<Interval> MeshEdges::interval_tangent(EdgeUse use, End end) const {
     return {relative(mesh_.x, second, along[0])[0], relative(mesh_.y, second, along[0])[0]};
   }
   if (equal_weights(along)) {
-    const std::vector<Interval> x = relative(mesh_.x, along, along[0]), y = relative(mesh_.y, along, along[0]);
+    const std::vector<Interval> x = relative(mesh_.x, along, along[0]),
+                                y = relative(mesh_.y, along, along[0]);
     Vector2<Interval> result{Interval(0), Interval(0)};
     for (const auto& entry : segment_change(along.size()).rows[1]) {
       result.x += entry.interval * x[entry.column];

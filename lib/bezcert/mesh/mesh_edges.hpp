@@ -1,8 +1,9 @@
 // The edges of the elements of a mesh, numbered one after another, and their curves.
 //
-// Edge i of an element leads from its corner i to the next, counter-clockwise in the domain, so that the element lies
-// on its left if it keeps the orientation. An edge that two elements share is two uses, one each; the mesh's
-// gluing.hpp says which. Only numbers are kept here (8 bytes a use): curves are made when asked for.
+// Edge i of an element leads from its corner i to the next, counter-clockwise in the domain, so that the
+// element lies on its left if it keeps the orientation. An edge that two elements share is two uses, one
+// each; the mesh's gluing.hpp says which. Only numbers are kept here (8 bytes a use): curves are made when
+// asked for.
 #pragma once
 
 #include "bezcert/curve/dyadic_curve.hpp"
@@ -45,7 +46,9 @@ class MeshEdges {
   /// Edge number within the element.
   int edge(EdgeUse use) const { return static_cast<int>(use - first_[element_[use]]); }
   EdgeUse first(std::size_t element) const { return first_[element]; }
-  EdgeUse next(EdgeUse use) const { return use + 1 == first_[element_[use] + 1] ? first_[element_[use]] : use + 1; }
+  EdgeUse next(EdgeUse use) const {
+    return use + 1 == first_[element_[use] + 1] ? first_[element_[use]] : use + 1;
+  }
   EdgeUse previous(EdgeUse use) const {
     return use == first_[element_[use]] ? first_[element_[use] + 1] - 1 : use - 1;
   }
@@ -58,7 +61,8 @@ class MeshEdges {
   Basis basis(EdgeUse use) const { return mesh_.elements[element_[use]].basis; }
   Point point(std::uint32_t node) const { return {mesh_.x[node], mesh_.y[node]}; }
 
-  /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is positive.
+  /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is
+  /// positive.
   CurveNet<Integer> exact(EdgeUse use) const;
   /// Contains the true control points, up to the factor of W. Needs a RoundingScope.
   CurveNet<Interval> interval(EdgeUse use) const;
@@ -67,8 +71,8 @@ class MeshEdges {
   /// Contains the edge. Needs a RoundingScope.
   Box box(EdgeUse use) const;
 
-  /// The tangent at an end, away from it along the edge, times a positive number; not zero where the element is regular.
-  /// `interval_tangent` needs a RoundingScope.
+  /// The tangent at an end, away from it along the edge, times a positive number; not zero where the element
+  /// is regular. `interval_tangent` needs a RoundingScope.
   Vector2<Interval> interval_tangent(EdgeUse use, End end) const;
   Vector2<Integer> exact_tangent(EdgeUse use, End end) const;
 

@@ -20,6 +20,10 @@ std::string_view name(MeshVerdict verdict) {
 void ObstacleList::add(MeshObstacle obstacle) {
   const auto kind = static_cast<std::size_t>(obstacle.kind);
   ++counts_[kind];
+  if (element_ &&
+      std::find(obstacle.elements.begin(), obstacle.elements.end(), *element_) == obstacle.elements.end()) {
+    return;
+  }
   if (by_kind_[kind].size() < kept) by_kind_[kind].push_back(std::move(obstacle));
 }
 

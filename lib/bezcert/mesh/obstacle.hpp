@@ -13,8 +13,8 @@
 
 namespace bezcert {
 
-/// Of a mesh: `embedding`, or the kind of its first obstacle in this order. `undecided`: a budget ran out somewhere, and
-/// nothing else is wrong.
+/// Of a mesh: `embedding`, or the kind of its first obstacle in this order. `undecided`: a budget ran out
+/// somewhere, and nothing else is wrong.
 enum class MeshVerdict {
   embedding,
   invalid_element,
@@ -44,13 +44,20 @@ struct MeshObstacle {
   std::string hint;     ///< the likely cause; may be empty
 };
 
-/// The first obstacles of each kind, and how many there are.
+/// The first obstacles of each kind (or the first that name one element), and how many there are.
 class ObstacleList {
  public:
   static constexpr std::size_t kept = 20;
 
-  /// Whether one more of the kind would be kept: otherwise its message need not be made.
-  bool wants(MeshVerdict kind) const { return count(kind) < kept; }
+  ObstacleList() = default;
+  /// Keeps those only that name the element, an index into the mesh's elements; counts all.
+  explicit ObstacleList(std::optional<std::uint32_t> element) : element_(element) {}
+
+  /// The element that is asked about, if it is one.
+  const std::optional<std::uint32_t>& element() const { return element_; }
+
+  /// Whether one more of the kind might be kept: otherwise its message need not be made.
+  bool wants(MeshVerdict kind) const { return element_ || count(kind) < kept; }
   void add(MeshObstacle obstacle);
   /// Counts one that is not kept.
   void add_unnamed(MeshVerdict kind) { ++counts_[static_cast<std::size_t>(kind)]; }
@@ -65,6 +72,7 @@ class ObstacleList {
  private:
   std::array<std::vector<MeshObstacle>, mesh_verdict_count> by_kind_;
   std::array<std::size_t, mesh_verdict_count> counts_{};
+  std::optional<std::uint32_t> element_;
 };
 
 /// "(0.5, 0.25)": six digits, for people.

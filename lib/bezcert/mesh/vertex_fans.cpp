@@ -1,5 +1,8 @@
 #include "bezcert/mesh/vertex_fans.hpp"
 
+#include "bezcert/curve/same_curve.hpp"
+#include "bezcert/mesh/branches.hpp"
+
 #include <algorithm>
 
 namespace bezcert {
@@ -13,8 +16,8 @@ Side side_of(int cross_sign, int dot_sign) {
   return dot_sign > 0 ? Side::along : Side::opposite;
 }
 
-// How often the directions, each less than half a turn after the one before, pass the reference direction: a sector
-// [d_k, d_k+1) holds it if d_k is along it, or leads from its right to its left.
+// How often the directions, each less than half a turn after the one before, pass the reference direction: a
+// sector [d_k, d_k+1) holds it if d_k is along it, or leads from its right to its left.
 int passes(const std::vector<Side>& sides, bool closed) {
   int count = 0;
   for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -85,13 +88,14 @@ class TurnCounter {
 
 MeshObstacle vertex_obstacle(const MeshEdges& edges, MeshVerdict kind, std::uint32_t vertex,
                              const std::vector<EdgeUse>& corners) {
+  constexpr std::size_t named = 100;
   MeshObstacle result;
   result.kind = kind;
   for (const EdgeUse corner : corners) {
     const std::uint32_t element = edges.element(corner);
-    if (std::find(result.elements.begin(), result.elements.end(), element) == result.elements.end()) {
-      result.elements.push_back(element);
-    }
+    const bool known =
+        std::find(result.elements.begin(), result.elements.end(), element) != result.elements.end();
+    if (!known && result.elements.size() < named) result.elements.push_back(element);
   }
   name_nodes(edges, {vertex}, result);
   result.message = elements_text(edges.mesh(), result.elements);
@@ -99,7 +103,8 @@ MeshObstacle vertex_obstacle(const MeshEdges& edges, MeshVerdict kind, std::uint
 }
 
 std::vector<EdgeUse> corners_at(const CornersByVertex& corners, std::uint32_t vertex) {
-  return {corners.corners.begin() + corners.start[vertex], corners.corners.begin() + corners.start[vertex + 1]};
+  return {corners.corners.begin() + corners.start[vertex],
+          corners.corners.begin() + corners.start[vertex + 1]};
 }
 
 }  // namespace
@@ -158,25 +163,26 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
       obstacles.add_unnamed(MeshVerdict::non_manifold);
       continue;
     }
-    // One element of each fan first: they are what meets there.
-    std::vector<EdgeUse> all;
-    for (const Fan& fan : fans) all.push_back(fan.corners.front());
-    for (const Fan& fan : fans) all.insert(all.end(), fan.corners.begin() + 1, fan.corners.end());
-    MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::non_manifold, vertex, all);
-    obstacle.message += " form " + std::to_string(fans.size()) + " fans that touch only in " +
+    // One element of each fan: they are what meets there.
+    std::vector<EdgeUse> first_of_each;
+    for (const Fan& fan : fans) {
+      first_of_each.push_back(*std::min_element(fan.corners.begin(), fan.corners.end()));
+    }
+    MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::non_manifold, vertex, first_of_each);
+    obstacle.message += " belong to " + std::to_string(fans.size()) + " parts that touch only in " +
                         node_text(edges, vertex) + ": a pinched vertex";
-    obstacle.hint = "parts that touch in one point; give each part a node of its own and move them apart, or join "
-                    "them by an edge";
+    obstacle.hint =
+        "parts that touch in one point; give each part a node of its own and move them apart, or join "
+        "them by an edge";
     obstacles.add(std::move(obstacle));
   }
   return result;
 }
 
-void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners, Fans& fans,
-                 ObstacleList& obstacles) {
+void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                 const Fans& fans, ObstacleList& obstacles) {
   const TurnCounter counter(edges);
   const auto folded = [&](std::uint32_t vertex, const Fan& fan, const std::string& what) {
-    fans.bad[vertex] = true;
     MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::folded_vertex, vertex, fan.corners);
     obstacle.message += what + node_text(edges, vertex);
     obstacle.hint = "the elements are fine one by one, but lie on each other around that node";
@@ -191,7 +197,13 @@ void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVe
       continue;
     }
     const int more = counter.compare_with_turn(fan);
-    if (more == 0) fans.cusps.push_back(vertex);
+    if (more == 0) {
+      // The edge that leaves must be left of the one that arrives, seen from the vertex. (Where they run
+      // along each other the boundary is not simple: another obstacle.)
+      const EdgeUse leaving = fan.corners.front(), arriving = edges.previous(fan.corners.back());
+      if (compare_branches(edges.exact(leaving), reversed(edges.exact(arriving))) <= 0) continue;
+      folded(vertex, fan, " make one full turn and cover a sliver twice at the boundary vertex ");
+    }
     if (more > 0) folded(vertex, fan, " make more than one full turn around the boundary vertex ");
   }
 }

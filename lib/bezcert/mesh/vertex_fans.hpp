@@ -1,9 +1,10 @@
 // The elements around every vertex, and how often they turn around it.
 //
-// Corners at a vertex that share a glued edge follow each other counter-clockwise: they form closed fans (around an
-// interior vertex) and open ones (from boundary edge to boundary edge). More than one fan is a pinched vertex. At a
-// corner of a regular element the tangents span an angle between 0 and half a turn, so full turns are counted exactly
-// by signs: how many sectors hold a reference direction. Definitions and proof: docs/mesh.md, "Vertices".
+// Corners at a vertex that share a glued edge follow each other counter-clockwise: they form closed fans
+// (around an interior vertex) and open ones (from boundary edge to boundary edge). More than one fan is a
+// pinched vertex. At a corner of a regular element the tangents span an angle between 0 and half a turn, so
+// full turns are counted exactly by signs: how many sectors hold a reference direction. Definitions and
+// proof: docs/mesh.md, "Vertices".
 #pragma once
 
 #include "bezcert/mesh/gluing.hpp"
@@ -17,12 +18,11 @@ struct Fan {
 };
 
 struct Fans {
-  /// For every boundary use the boundary use that begins where it ends; no_edge for others and at faulty vertices.
+  /// For every boundary use the boundary use that begins where it ends; no_edge for others and at faulty
+  /// vertices.
   std::vector<EdgeUse> next_boundary;
-  /// Vertices where an obstacle was found, here or in the gluing.
+  /// Vertices that are not manifold, or that a faulty edge ends at.
   std::vector<bool> bad;
-  /// Boundary vertices with exactly one turn; filled by `check_turns`.
-  std::vector<std::uint32_t> cusps;
 };
 
 /// The fans of the corners of one vertex, in the order of their first corners.
@@ -33,9 +33,10 @@ std::vector<Fan> fans_of(const MeshEdges& edges, const Gluing& gluing, const Cor
 Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
                ObstacleList& obstacles);
 
-/// Counts the turns around the vertices that are not bad: adds folded_vertex obstacles and lists cusps.
-/// Precondition: all elements are regular.
-void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners, Fans& fans,
-                 ObstacleList& obstacles);
+/// Counts the turns around the manifold vertices and adds folded_vertex obstacles. A boundary vertex may have
+/// exactly one turn (a cusp) if its two boundary edges leave a sliver out between them, not if the sliver is
+/// covered twice. Precondition: all elements are regular.
+void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                 const Fans& fans, ObstacleList& obstacles);
 
 }  // namespace bezcert

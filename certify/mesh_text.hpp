@@ -1,0 +1,21 @@
+// The mesh as a whole in text: one line an obstacle, one line for the verdict.
+#pragma once
+
+#include "report.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bezcert::certify {
+
+/// "non_conforming: ...; hint" for every obstacle kept but invalid elements, then "mesh: embedding, 1
+/// component, ...".
+std::vector<std::string> mesh_lines(const MeshResult& result);
+
+/// One line an uncovered curve, then "domain FILE: conforming, 4 of 4 curves covered".
+std::vector<std::string> domain_lines(const DomainSummary& domain);
+
+/// One obstacle without its kind: message and hint.
+std::string describe(const MeshObstacle& obstacle);
+
+}  // namespace bezcert::certify
