@@ -1,11 +1,14 @@
-// Checks one file of the corpus against what its derivation says: `corpus_check element|mesh CORPUS FILE`.
+// Checks one file of the corpus against what its derivation says: `corpus_check element|mesh|whole CORPUS FILE`.
 //
 // Elements: the verdict in the file and the criteria's statuses in criteria.tsv (both made by
 // corpus/make_elements.py, exact arithmetic in Python). Meshes: the counts and the bad elements in
 // meshes/expected*.tsv (made by corpus/mesh_oracle.py). Prints what differs; exit code 0 or 1.
 #include "bezcert/criterion/subdivision.hpp"
+#include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
+#include "bezcert/mesh/domain.hpp"
+#include "bezcert/mesh/embedding.hpp"
 #include "bezcert/number/parse.hpp"
 #include "cross_check.hpp"
 
@@ -195,19 +198,80 @@ void check_mesh(const std::string& corpus, const std::string& file) {
                                        " elements, found " + std::to_string(bad.size()));
 }
 
+// "1;5" as a set.
+std::set<std::string> listed(const std::string& text) {
+  std::set<std::string> result;
+  std::istringstream cut(text);
+  for (std::string one; std::getline(cut, one, ';');) result.insert(one);
+  return result;
+}
+
+std::string cell(const Row& row, const std::string& column) {
+  return row.contains(column) ? row.at(column) : "";
+}
+
+// Whole meshes: whole/expected.tsv and whole/domain.tsv (made by corpus/make_whole.py).
+void check_whole(const std::string& corpus, const std::string& file) {
+  const std::string path = corpus + "/" + file;
+  const std::string base = file.substr(file.find('/') + 1);
+  const Mesh mesh = read_mesh(path, read_file(path));
+  std::vector<ElementState> states;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    states.push_back(certify::state_of(decide(Forms(mesh.element(i)))));
+  }
+  const MeshResult result = examine_mesh(mesh, states);
+  bool found = false;
+  for (const Row& row : read_table(corpus + "/whole/expected.tsv")) {
+    if (row.at("file") != base) continue;
+    found = true;
+    const std::string verdict(bezcert::name(result.verdict));
+    expect(verdict == row.at("verdict"), "the verdict is " + verdict + ", expected " + row.at("verdict"));
+    const auto compare = [&](const std::string& column, const std::string& value) {
+      if (!cell(row, column).empty()) expect(value == row.at(column), column + " is " + value + ", expected " + row.at(column));
+    };
+    compare("components", std::to_string(result.components));
+    compare("loops", result.loops ? std::to_string(*result.loops) : "unknown");
+    compare("holes", result.holes ? std::to_string(*result.holes) : "unknown");
+    compare("area", result.area && result.area->is_exact() ? to_string(result.area->lower) : "unknown");
+    std::set<std::string> elements, nodes;
+    for (const MeshObstacle& obstacle : result.obstacles.all()) {
+      if (obstacle.kind != result.verdict) continue;
+      for (const std::uint32_t i : obstacle.elements) elements.insert(std::to_string(mesh.elements[i].tag));
+      for (const std::uint32_t i : obstacle.nodes) nodes.insert(std::to_string(i));
+    }
+    if (!cell(row, "obstacle_elements").empty()) {
+      expect(elements == listed(row.at("obstacle_elements")), "the obstacle names other elements than " + row.at("obstacle_elements"));
+    }
+    if (!cell(row, "obstacle_nodes").empty()) {
+      expect(nodes == listed(row.at("obstacle_nodes")), "the obstacle names other nodes than " + row.at("obstacle_nodes"));
+    }
+  }
+  expect(found, "expected.tsv has a row for the mesh");
+  for (const Row& row : read_table(corpus + "/whole/domain.tsv")) {
+    if (row.at("mesh") != base) continue;
+    const std::string curves_path = corpus + "/whole/" + row.at("curves");
+    const DomainResult domain = check_domain(mesh, read_bez_json_curves(curves_path, read_file(curves_path)));
+    const std::string verdict = domain.conforming() ? "conforming" : "not_conforming";
+    expect(verdict == row.at("verdict"), row.at("curves") + ": " + verdict + ", expected " + row.at("verdict"));
+    expect(std::to_string(domain.covered) == row.at("covered"),
+           row.at("curves") + ": " + std::to_string(domain.covered) + " covered, expected " + row.at("covered"));
+    std::set<std::string> failing;
+    for (const DomainFailure& failure : domain.failures) failing.insert(std::to_string(failure.curve + 1));
+    expect(failing == listed(cell(row, "not_covered")), row.at("curves") + ": other curves fail");
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    std::cerr << "corpus_check element|mesh CORPUS FILE\n";
+    std::cerr << "corpus_check element|mesh|whole CORPUS FILE\n";
     return 2;
   }
   const std::string kind = argv[1];
-  if (kind == "element") {
-    check_element(argv[2], argv[3]);
-  } else {
-    check_mesh(argv[2], argv[3]);
-  }
+  if (kind == "element") check_element(argv[2], argv[3]);
+  if (kind == "mesh") check_mesh(argv[2], argv[3]);
+  if (kind == "whole") check_whole(argv[2], argv[3]);
   if (failures == 0) std::cout << "as expected\n";
   return failures == 0 ? 0 : 1;
 }

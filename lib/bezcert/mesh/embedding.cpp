@@ -2,6 +2,7 @@
 
 #include "bezcert/mesh/boundary_contacts.hpp"
 #include "bezcert/mesh/components.hpp"
+#include "bezcert/mesh/hanging.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -42,8 +43,9 @@ MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states, 
   const bool all_injective = obstacles.empty();
 
   const MeshEdges edges(mesh);
-  const Gluing gluing = glue(edges, obstacles);
+  Gluing gluing = glue(edges, obstacles);
   const CornersByVertex corners = corners_by_vertex(edges, gluing);
+  find_hanging_nodes(edges, corners, gluing, obstacles);
   const Fans fans = link_fans(edges, gluing, corners, obstacles);
   const Components components = find_components(edges, gluing);
   result.components = components.count;
