@@ -147,12 +147,12 @@ TEST_CASE("certify explain finds elements by number and name, and exits like che
   for (const std::string name : {"affine", "trap-node", "subdivision-only-quadratic", "zero-corner",
                                  "quad-clockwise", "cone-folded-conic", "quarter-disc", "lagrange-quad"}) {
     const std::string mesh = corpus_element(name);
-    const Outcome by_name = folder.run({"explain", mesh, "--element", name, "--budget=1"});
-    const Outcome by_number = folder.run({"explain", mesh, "--element", "1", "--budget=1"});
+    const Outcome by_name = folder.run({"explain", mesh, "--element", name, "--budget=1,0"});
+    const Outcome by_number = folder.run({"explain", mesh, "--element", "1", "--budget=1,0"});
     INFO(name << "\n" << by_name.out << by_name.err);
     CHECK(by_name.out == by_number.out);
     CHECK(by_name.code == by_number.code);
-    CHECK(by_name.code == folder.run({"check", mesh, "--budget=1"}).code);
+    CHECK(by_name.code == folder.run({"check", mesh, "--budget=1,0"}).code);
     CHECK(by_name.out.find("verdict: ") != std::string::npos);
     CHECK(criterion_lines(lines_of(by_name.out)).size() == 5);
     ++codes[by_name.code];

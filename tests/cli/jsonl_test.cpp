@@ -55,13 +55,15 @@ void check_header(const MeshReport& report, const std::string& file, const Mesh&
   CHECK(report.header["numbers"] == (mesh.numbers == Numbers::decimal ? "decimal" : "binary64"));
 }
 
-// docs/report.md: `name` if the file names it, `overlap` if overlapping, `open` if undecided or regular.
+// docs/report.md: `name` if the file names it, `zero` if degenerate, `overlap` if overlapping, `open` if
+// undecided or regular.
 void check_keys(const Json& element, bool named) {
   const std::string verdict = element["verdict"];
   std::vector<std::string> expected = {"element", "line"};
   if (named) expected.push_back("name");
   for (const std::string key : {"kind", "degree", "rational", "verdict", "min_det", "witness"})
     expected.push_back(key);
+  if (verdict == "degenerate") expected.push_back("zero");
   if (verdict == "overlapping") expected.push_back("overlap");
   if (verdict == "undecided" || verdict == "regular") expected.push_back("open");
   for (const std::string key : {"criteria", "agreement"}) expected.push_back(key);
@@ -104,13 +106,54 @@ Parameter random_parameter(const Element& element, Random& random) {
   return {Rational(12 - a - b, 12), Rational(a, 12), Rational(b, 12)};
 }
 
+// A coordinate of a zero: [lower, upper], with opposite signs of its polynomial at the ends unless it is
+// exact.
+std::pair<Rational, Rational> interval_of(const Json& coordinate) {
+  if (coordinate.is_string()) return {rational_of(coordinate), rational_of(coordinate)};
+  const Rational lower = rational_of(coordinate["lower"]), upper = rational_of(coordinate["upper"]);
+  REQUIRE(lower < upper);
+  if (coordinate.contains("polynomial")) {
+    Rational at_lower = 0, at_upper = 0, power_lower = 1, power_upper = 1;
+    for (const Json& c : coordinate["polynomial"]) {
+      at_lower += rational_of(c) * power_lower;
+      at_upper += rational_of(c) * power_upper;
+      power_lower *= lower;
+      power_upper *= upper;
+    }
+    REQUIRE(at_lower.sign() * at_upper.sign() == -1);
+  }
+  return {lower, upper};
+}
+
+// The zero of a degenerate element: exact, or so near that det J is tiny there.
+void check_zero(const Json& object, const Element& element) {
+  const Json& zero = object["zero"];
+  REQUIRE(keys_of(zero) == std::vector<std::string>{"u", "v", "dimension"});
+  REQUIRE((zero["dimension"] == 0 || zero["dimension"] == 1 || zero["dimension"] == 2));
+  const auto [u_low, u_high] = interval_of(zero["u"]);
+  const auto [v_low, v_high] = interval_of(zero["v"]);
+  const Rational u = (u_low + u_high) / 2, v = (v_low + v_high) / 2;
+  const Parameter parameter = element.is_triangle() ? Parameter{1 - u - v, u, v} : Parameter{u, v};
+  const Rational det = exact_determinant(element, parameter);
+  if (u_low == u_high && v_low == v_high) {
+    REQUIRE(det == 0);
+  } else {
+    // The intervals are 2^-40 wide and det J >= 0 has a double zero: its size is that of curvature times
+    // 2^-80.
+    REQUIRE(abs(det) < Rational(1, Integer(1) << 50));
+  }
+}
+
 // The verdict's evidence against det J evaluated independently.
 void check_evidence(const Json& object, const Element& element, Random& random) {
   const std::string verdict = object["verdict"];
   const Rational lower = rational_of(object["min_det"]["lower"]);
   const Rational upper = rational_of(object["min_det"]["upper"]);
   REQUIRE(lower <= upper);
-  const bool needs_witness = verdict == "folded" || verdict == "reversed" || verdict == "degenerate";
+  // Of a degenerate element the zero may be irrational, and there is no other witness.
+  const bool rational_zero =
+      verdict == "degenerate" && object["zero"]["u"].is_string() && object["zero"]["v"].is_string();
+  const bool needs_witness = verdict == "folded" || verdict == "reversed" || rational_zero;
   if (needs_witness) REQUIRE(!object["witness"].is_null());
   if (verdict == "injective" || verdict == "regular" || verdict == "overlapping")
     REQUIRE(object["witness"].is_null());
@@ -124,6 +167,7 @@ void check_evidence(const Json& object, const Element& element, Random& random) 
     REQUIRE(det <= 0);
     REQUIRE((verdict == "degenerate") == (det == 0 && verdict != "undecided"));
   }
+  if (verdict == "degenerate") check_zero(object, element);
   // Elsewhere: never below the bound, and of the sign that the verdict says.
   for (int round = 0; round < 6; ++round) {
     const Parameter parameter = random_parameter(element, random);
@@ -171,7 +215,8 @@ void check_summary(const MeshReport& report, const Mesh& mesh) {
   std::size_t invalid = 0;
   for (const Json& element : report.elements) {
     ++verdicts[element["verdict"]];
-    invalid += !element["witness"].is_null() || element["verdict"] == "overlapping";
+    invalid += !element["witness"].is_null() || element["verdict"] == "overlapping" ||
+               element["verdict"] == "degenerate";
     for (const auto& item : element["criteria"].items()) ++statuses[item.key()][item.value()];
   }
   std::size_t sum = 0;
@@ -184,7 +229,8 @@ void check_summary(const MeshReport& report, const Mesh& mesh) {
   for (const auto& [name, counts] : statuses) {
     for (const auto& [status, count] : counts) CHECK(summary["criteria"][name][status] == count);
   }
-  CHECK(keys_of(summary["mesh"]) == std::vector<std::string>{"verdict", "obstacles"});
+  CHECK(keys_of(summary["mesh"]) ==
+        std::vector<std::string>{"verdict", "obstacles", "components", "loops", "holes", "area"});
   CHECK(summary["mesh"]["obstacles"].is_array());
   if (invalid > 0) {
     CHECK(summary["mesh"]["verdict"] != "embedding");

@@ -15,17 +15,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Many straight-sided cubic triangles, so that checking takes a while.
+// Many straight-sided cubic triangles apart from each other, so that checking takes a while.
 std::string large_mesh(int count) {
   std::string nodes, elements;
   // The grid points (i, j) of the cubic in gmsh's order: corners, edges, the inner one.
   const int grid[10][2] = {{0, 0}, {3, 0}, {0, 3}, {1, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
-  for (int k = 0; k < 10; ++k)
-    nodes +=
-        std::to_string(k + 1) + " " + std::to_string(grid[k][0]) + " " + std::to_string(grid[k][1]) + " 0\n";
-  for (int i = 1; i <= count; ++i) elements += std::to_string(i) + " 21 0 1 2 3 4 5 6 7 8 9 10\n";
-  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n" + nodes + "$EndNodes\n$Elements\n" +
-         std::to_string(count) + "\n" + elements + "$EndElements\n";
+  for (int i = 0; i < count; ++i) {
+    elements += std::to_string(i + 1) + " 21 0";
+    for (int k = 0; k < 10; ++k) {
+      const std::string node = std::to_string(10 * i + k + 1);
+      nodes += node + " " + std::to_string(4 * i + grid[k][0]) + " " + std::to_string(grid[k][1]) + " 0\n";
+      elements += " " + node;
+    }
+    elements += "\n";
+  }
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(10 * count) + "\n" + nodes +
+         "$EndNodes\n$Elements\n" + std::to_string(count) + "\n" + elements + "$EndElements\n";
 }
 
 // What certify writes to a terminal as its standard error; standard output goes to a file.
@@ -160,6 +165,9 @@ TEST_CASE("progress is for terminals only") {
   CHECK(outcome.err.empty());
   CHECK(outcome.out.find('\r') == std::string::npos);
   CHECK(outcome.out.find("30000 elements: 30000 injective") != std::string::npos);
+  // Each has the area 9/2.
+  CHECK(outcome.out.find("mesh: embedding, 30000 components, 0 holes, 30000 boundary loops, area 135000") !=
+        std::string::npos);
   const std::string progress = terminal_output(folder, {"check", mesh});
   INFO(progress);
   CHECK(progress.find(" of 30000 elements") != std::string::npos);
@@ -175,12 +183,13 @@ TEST_CASE("a text report has one line for each bad element, whatever its name") 
   const Outcome outcome = folder.run({"check", mesh, "--criteria=none"});
   CHECK(outcome.code == 1);
   const auto lines = lines_of(outcome.out);
-  REQUIRE(lines.size() == 2);
+  REQUIRE(lines.size() == 3);
   CHECK(lines[0].starts_with(mesh + ":2: element 1 "));
   for (const std::string& line : lines) {
     for (const char c : line) CHECK((c < 0 || c >= 32));
   }
   CHECK(lines[1] == mesh + ": 1 element: 1 reversed");
+  CHECK(lines[2].starts_with(mesh + ": mesh: invalid_element"));
 }
 
 }  // namespace bezcert::test

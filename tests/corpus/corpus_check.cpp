@@ -1,4 +1,5 @@
-// Checks one file of the corpus against what its derivation says: `corpus_check element|mesh|whole CORPUS FILE`.
+// Checks one file of the corpus against what its derivation says: `corpus_check element|mesh|whole CORPUS
+// FILE`.
 //
 // Elements: the verdict in the file and the criteria's statuses in criteria.tsv (both made by
 // corpus/make_elements.py, exact arithmetic in Python). Meshes: the counts and the bad elements in
@@ -72,13 +73,15 @@ std::vector<const Criterion*> all_criteria() {
 }
 
 // zeros.tsv: the dimension of the zero set of det J; where it is finite, all zeros to 12 decimals.
-void check_zero(const std::string& corpus, const std::string& name, const std::optional<AlgebraicZero>& zero) {
+void check_zero(const std::string& corpus, const std::string& name,
+                const std::optional<AlgebraicZero>& zero) {
   expect(zero.has_value(), "a degenerate element shows its zero");
   if (!zero) return;
   for (const Row& row : read_table(corpus + "/zeros.tsv")) {
     if (row.at("element") != name) continue;
     const std::string dimension = std::to_string(zero->dimension);
-    expect(dimension == row.at("dimension"), "the zeros have dimension " + dimension + ", expected " + row.at("dimension"));
+    expect(dimension == row.at("dimension"),
+           "the zeros have dimension " + dimension + ", expected " + row.at("dimension"));
     if (row.at("dimension") != "0") return;
     const Rational tolerance(Integer(1), Integer(1) << 36);
     std::istringstream list(row.at("zeros"));
@@ -116,7 +119,8 @@ void check_element(const std::string& corpus, const std::string& file) {
   if (!beyond) {
     expect(without == expected, "without algebra the verdict is " + without + ": beyond subdivision");
   } else if (expected == "degenerate") {
-    expect(without == "undecided", "without algebra the verdict is " + without + ": bisection should not end");
+    expect(without == "undecided",
+           "without algebra the verdict is " + without + ": bisection should not end");
   }
 
   const Forms exact_only(element, Filter::off);
@@ -227,7 +231,8 @@ void check_whole(const std::string& corpus, const std::string& file) {
     const std::string verdict(bezcert::name(result.verdict));
     expect(verdict == row.at("verdict"), "the verdict is " + verdict + ", expected " + row.at("verdict"));
     const auto compare = [&](const std::string& column, const std::string& value) {
-      if (!cell(row, column).empty()) expect(value == row.at(column), column + " is " + value + ", expected " + row.at(column));
+      if (!cell(row, column).empty())
+        expect(value == row.at(column), column + " is " + value + ", expected " + row.at(column));
     };
     compare("components", std::to_string(result.components));
     compare("loops", result.loops ? std::to_string(*result.loops) : "unknown");
@@ -240,10 +245,12 @@ void check_whole(const std::string& corpus, const std::string& file) {
       for (const std::uint32_t i : obstacle.nodes) nodes.insert(std::to_string(i));
     }
     if (!cell(row, "obstacle_elements").empty()) {
-      expect(elements == listed(row.at("obstacle_elements")), "the obstacle names other elements than " + row.at("obstacle_elements"));
+      expect(elements == listed(row.at("obstacle_elements")),
+             "the obstacle names other elements than " + row.at("obstacle_elements"));
     }
     if (!cell(row, "obstacle_nodes").empty()) {
-      expect(nodes == listed(row.at("obstacle_nodes")), "the obstacle names other nodes than " + row.at("obstacle_nodes"));
+      expect(nodes == listed(row.at("obstacle_nodes")),
+             "the obstacle names other nodes than " + row.at("obstacle_nodes"));
     }
   }
   expect(found, "expected.tsv has a row for the mesh");
@@ -252,9 +259,11 @@ void check_whole(const std::string& corpus, const std::string& file) {
     const std::string curves_path = corpus + "/whole/" + row.at("curves");
     const DomainResult domain = check_domain(mesh, read_bez_json_curves(curves_path, read_file(curves_path)));
     const std::string verdict = domain.conforming() ? "conforming" : "not_conforming";
-    expect(verdict == row.at("verdict"), row.at("curves") + ": " + verdict + ", expected " + row.at("verdict"));
-    expect(std::to_string(domain.covered) == row.at("covered"),
-           row.at("curves") + ": " + std::to_string(domain.covered) + " covered, expected " + row.at("covered"));
+    expect(verdict == row.at("verdict"),
+           row.at("curves") + ": " + verdict + ", expected " + row.at("verdict"));
+    expect(
+        std::to_string(domain.covered) == row.at("covered"),
+        row.at("curves") + ": " + std::to_string(domain.covered) + " covered, expected " + row.at("covered"));
     std::set<std::string> failing;
     for (const DomainFailure& failure : domain.failures) failing.insert(std::to_string(failure.curve + 1));
     expect(failing == listed(cell(row, "not_covered")), row.at("curves") + ": other curves fail");

@@ -178,7 +178,9 @@ Univariate along(const Bivariate& f, const std::array<Rational, 2>& from, const 
   const Rational du = to[0] - from[0], dv = to[1] - from[1];
   Integer q = 1;
   for (const Rational& x : {from[0], from[1], du, dv}) q = lcm(q, Integer(denominator(x)));
-  const auto scaled = [&](const Rational& x) { return Integer(Integer(numerator(x)) * (q / denominator(x))); };
+  const auto scaled = [&](const Rational& x) {
+    return Integer(Integer(numerator(x)) * (q / denominator(x)));
+  };
   const Univariate u({scaled(from[0]), scaled(du)}), v({scaled(from[1]), scaled(dv)});
   const int degree_u = std::max(f.degree_u(), 0), degree_v = std::max(f.degree_v(), 0);
   std::vector<Univariate> u_powers = {Univariate({Integer(1)})}, v_powers = u_powers;
@@ -267,7 +269,7 @@ Univariate resultant_v(const Bivariate& f, const Bivariate& g) {
   fmpz* values = _fmpz_vec_init(static_cast<slong>(count));
   FlintPolynomial result;
   long at = 0;
-  for (std::size_t found = 0; found < count; at = at > 0 ? -at : -at + 1) {
+  for (std::size_t found = 0; found<count; at = at> 0 ? -at : -at + 1) {
     const Rational u(at);
     const Univariate a = at_u(f, u), b = at_u(g, u);
     // Where a leading coefficient vanishes the value would be that of smaller degrees.

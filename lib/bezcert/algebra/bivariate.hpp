@@ -39,8 +39,8 @@ int sign_at(const Bivariate& f, const Rational& u, const Rational& v);
 /// A positive multiple of t -> f(from + t (to - from)).
 Univariate along(const Bivariate& f, const std::array<Rational, 2>& from, const std::array<Rational, 2>& to);
 
-/// Irreducible factors over the rationals, of positive degree, primitive, with their multiplicities. The sign of the
-/// constant factor is dropped. Precondition: f is not 0.
+/// Irreducible factors over the rationals, of positive degree, primitive, with their multiplicities. The sign
+/// of the constant factor is dropped. Precondition: f is not 0.
 std::vector<std::pair<Bivariate, int>> irreducible_factors(const Bivariate& f);
 
 /// The common divisor of the largest degree, up to a constant factor.
@@ -51,9 +51,9 @@ Bivariate quotient(const Bivariate& f, const Bivariate& g);
 /// A bound of the degree in u of resultant_v.
 int resultant_degree_bound(const Bivariate& f, const Bivariate& g);
 
-/// The resultant with respect to v, up to a constant factor: vanishes at u if f(u, .) and g(u, .) have a common complex
-/// root (and where both leading coefficients vanish). It is A f + B g for some polynomials A, B. Computed at enough
-/// integers u and interpolated. Precondition: neither is 0.
+/// The resultant with respect to v, up to a constant factor: vanishes at u if f(u, .) and g(u, .) have a
+/// common complex root (and where both leading coefficients vanish). It is A f + B g for some polynomials A,
+/// B. Computed at enough integers u and interpolated. Precondition: neither is 0.
 Univariate resultant_v(const Bivariate& f, const Bivariate& g);
 
 }  // namespace bezcert

@@ -120,7 +120,8 @@ class Fiber::Implementation {
       for (const FieldElement& c : divisor_) coefficients.push_back(c.coefficient(0));
       const Rational from = low.coefficient(0), to = high.coefficient(0);
       for (RealRoot& root : roots_in(from_rationals(coefficients), from, to)) {
-        if (ends == Ends::excluded && root.is_rational() && (root.lower == from || root.lower == to)) continue;
+        if (ends == Ends::excluded && root.is_rational() && (root.lower == from || root.lower == to))
+          continue;
         RealRoot exact = with_minimal_polynomial(std::move(root));
         exact.refine_to(width);
         return exact;
@@ -151,8 +152,8 @@ class Fiber::Implementation {
       fmpq_poly_neg(root.get(), root.get());
       return enclosure(root, width);
     }
-    // Rational bounds a <= low, high <= b, then bisection. A root equal to an end is met by counting with the end
-    // itself.
+    // Rational bounds a <= low, high <= b, then bisection. A root equal to an end is met by counting with the
+    // end itself.
     Rational a = enclosure(low, Rational(1, 4)).lower - 1, b = enclosure(high, Rational(1, 4)).upper + 1;
     const auto is_at_most = [&](const Rational& x) {  // whether a counted root is <= x
       const FieldElement at = element(x);
@@ -272,7 +273,8 @@ class Fiber::Implementation {
   std::pair<Rational, Rational> range(const FieldElement& x) const {
     Rational low = 0, high = 0;
     for (slong k = x.length(); k-- > 0;) {
-      Rational corners[4] = {low * alpha_.lower, low * alpha_.upper, high * alpha_.lower, high * alpha_.upper};
+      Rational corners[4] = {low * alpha_.lower, low * alpha_.upper, high * alpha_.lower,
+                             high * alpha_.upper};
       low = *std::min_element(corners, corners + 4);
       high = *std::max_element(corners, corners + 4);
       const Rational c = x.coefficient(k);

@@ -107,7 +107,8 @@ struct FieldPolynomial {
 };
 
 // Whether the monic polynomial with the coefficients g divides f.
-bool divides(const std::deque<FieldPolynomial>& g, const std::vector<Univariate>& f, const FieldPolynomial& r) {
+bool divides(const std::deque<FieldPolynomial>& g, const std::vector<Univariate>& f,
+             const FieldPolynomial& r) {
   std::deque<FieldPolynomial> rest;
   for (const Univariate& c : f) {
     const FlintPolynomial integer(c);
@@ -124,7 +125,8 @@ bool divides(const std::deque<FieldPolynomial>& g, const std::vector<Univariate>
     }
     rest.pop_back();
   }
-  return std::all_of(rest.begin(), rest.end(), [](const FieldPolynomial& c) { return fmpq_poly_is_zero(c.value) != 0; });
+  return std::all_of(rest.begin(), rest.end(),
+                     [](const FieldPolynomial& c) { return fmpq_poly_is_zero(c.value) != 0; });
 }
 
 Rational coefficient_of(const fmpq_poly_t f, slong k) {
@@ -195,7 +197,9 @@ std::vector<FieldVector> field_gcd(const Univariate& r, const std::vector<Bivari
   std::vector<std::vector<Univariate>> f;
   for (const Bivariate& one : polynomials) {
     std::vector<Univariate> line = one.by_v;
-    const auto vanishes = [&](const Univariate& c) { return c.is_zero() || gcd(c, r).degree() == r.degree(); };
+    const auto vanishes = [&](const Univariate& c) {
+      return c.is_zero() || gcd(c, r).degree() == r.degree();
+    };
     while (!line.empty() && vanishes(line.back())) line.pop_back();
     if (!line.empty()) f.push_back(std::move(line));
   }
@@ -229,7 +233,8 @@ std::vector<FieldVector> field_gcd(const Univariate& r, const std::vector<Bivari
     std::vector<FieldVector> result;
     for (const FieldPolynomial& c : g) {
       FieldVector coefficients;
-      for (slong i = 0; i < fmpq_poly_length(c.value); ++i) coefficients.push_back(coefficient_of(c.value, i));
+      for (slong i = 0; i < fmpq_poly_length(c.value); ++i)
+        coefficients.push_back(coefficient_of(c.value, i));
       result.push_back(std::move(coefficients));
     }
     return result;

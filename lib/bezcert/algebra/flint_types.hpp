@@ -1,5 +1,5 @@
-// FLINT's C types as owners. Included by the sources of this folder only. FLINT computes with doubles in places and counts
-// on rounding to nearest: a NearestRounding goes before its algorithms.
+// FLINT's C types as owners. Included by the sources of this folder only. FLINT computes with doubles in
+// places and counts on rounding to nearest: a NearestRounding goes before its algorithms.
 #pragma once
 
 #include "bezcert/algebra/univariate.hpp"

@@ -5,9 +5,9 @@
 namespace bezcert {
 namespace {
 
-// Positive multiples of the Bernstein coefficients of f over [lower, upper], times the binomials: the sign changes
-// are the same. f(lower + (upper-lower) t) = sum a_k t^k, and t = s / (1 + s) turns it into the numerator
-// sum a_k s^k (1+s)^(n-k), whose coefficients are the scaled Bernstein coefficients.
+// Positive multiples of the Bernstein coefficients of f over [lower, upper], times the binomials: the sign
+// changes are the same. f(lower + (upper-lower) t) = sum a_k t^k, and t = s / (1 + s) turns it into the
+// numerator sum a_k s^k (1+s)^(n-k), whose coefficients are the scaled Bernstein coefficients.
 std::vector<Integer> bernstein_over(const Univariate& f, const Rational& lower, const Rational& upper) {
   const std::size_t count = f.coefficients.size();
   // One denominator q: lower = p/q, upper - lower = w/q; q^n f(x) = sum c_k (p + w t)^k q^(n-k).

@@ -1,9 +1,10 @@
-// Real roots of integer polynomials: isolated by Descartes' rule in the Bernstein basis, refined by bisection.
+// Real roots of integer polynomials: isolated by Descartes' rule in the Bernstein basis, refined by
+// bisection.
 //
 // The number of sign changes of the Bernstein coefficients over an interval bounds the number of roots in its
-// interior and has the same parity (Descartes, Vincent); 0 changes: no root, 1 change: exactly one. For square-free
-// polynomials halving ends (one- and two-circle theorems). Every root is either known exactly, as a
-// rational, or alone in an open interval at whose ends the polynomial has opposite signs.
+// interior and has the same parity (Descartes, Vincent); 0 changes: no root, 1 change: exactly one. For
+// square-free polynomials halving ends (one- and two-circle theorems). Every root is either known exactly, as
+// a rational, or alone in an open interval at whose ends the polynomial has opposite signs.
 #pragma once
 
 #include "bezcert/algebra/univariate.hpp"
@@ -34,8 +35,8 @@ Rational simplest_between(const Rational& lower, const Rational& upper);
 /// If an irreducible polynomial has degree 1, its root.
 Rational root_of_linear(const Univariate& f);
 
-/// The irreducible factor of `root.polynomial` that vanishes at the root, with the root's interval; exact if that
-/// factor is linear.
+/// The irreducible factor of `root.polynomial` that vanishes at the root, with the root's interval; exact if
+/// that factor is linear.
 RealRoot with_minimal_polynomial(RealRoot root);
 
 }  // namespace bezcert

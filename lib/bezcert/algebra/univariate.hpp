@@ -1,7 +1,7 @@
 // Integer polynomials in one variable, in the power basis.
 //
-// What the algebra of the decision needs of them: exact signs at rationals, common divisors, irreducible factors.
-// FLINT does the arithmetic (univariate.cpp); this header does not show it.
+// What the algebra of the decision needs of them: exact signs at rationals, common divisors, irreducible
+// factors. FLINT does the arithmetic (univariate.cpp); this header does not show it.
 #pragma once
 
 #include "bezcert/number/rational.hpp"

@@ -60,8 +60,8 @@ class Search {
     const Univariate resultant = resultant_v(h_, derivative_v(h_));
     const std::vector<Edge> edges = edges_of(domain_);
     Univariate critical = square_free_part(h_.by_v.back());
-    for (const Univariate& factor : {resultant, along(h_, edges[0].from, edges[0].to),
-                                     along(h_, edges[1].from, edges[1].to)}) {
+    for (const Univariate& factor :
+         {resultant, along(h_, edges[0].from, edges[0].to), along(h_, edges[1].from, edges[1].to)}) {
       if (factor.degree() > 0) critical = square_free_part(critical * square_free_part(factor));
     }
     for (const auto& [lower, upper] : strips) {
@@ -78,7 +78,9 @@ class Search {
     result_.dimension = std::max(result_.dimension, dimension);
   }
 
-  Rational top(const Rational& u) const { return domain_ == Domain::triangle ? Rational(1 - u) : Rational(1); }
+  Rational top(const Rational& u) const {
+    return domain_ == Domain::triangle ? Rational(1 - u) : Rational(1);
+  }
 
   void look_at_edges() {
     for (const Edge& edge : edges_of(domain_)) {
@@ -103,7 +105,8 @@ class Search {
       while (!exact.is_rational() && (exact.lower == 0 || exact.upper == 1)) exact.refine();
       const Rational v = top(exact.upper) / 2;
       result_.changes_sign = true;
-      // The neighbouring columns: a cell that the line cuts. Any row crosses it, so the other direction serves.
+      // The neighbouring columns: a cell that the line cuts. Any row crosses it, so the other direction
+      // serves.
       result_.column_is_u = false;
       result_.cell = {0, top(exact.upper)};
       exact.refine_to(shown_width());

@@ -28,8 +28,8 @@ class Search {
       apart_.push_back({Relation::apart, whole, whole});
     }
     std::vector<Task> open;
-    // Neighbours first: they end by themselves unless the curves are tangent at the joint, and leave pairs without
-    // a common parameter.
+    // Neighbours first: they end by themselves unless the curves are tangent at the joint, and leave pairs
+    // without a common parameter.
     for (std::size_t looked = 0; !near_.empty(); ++looked) {
       const Task task = near_.front();
       near_.pop_front();

@@ -73,7 +73,8 @@ class Search {
   }
 
   // Zeros of the common factor: curves of them are pieces in common.
-  std::optional<Contact> along_curves(const Bivariate& common, const Strips& strips_s, const Strips& strips_t) {
+  std::optional<Contact> along_curves(const Bivariate& common, const Strips& strips_s,
+                                      const Strips& strips_t) {
     for (const auto& [factor, multiplicity] : irreducible_factors(common)) {
       const ZeroSet zeros = zero_set(factor, Domain::square, strips_s, strips_t);
       for (const PlanarPoint& zero : zeros.zeros) {

@@ -1,9 +1,10 @@
 // Common points of two rational Bezier curves by elimination.
 //
-// With homogeneous curves (X1, Y1, W1)(s) and (X2, Y2, W2)(t), W1, W2 > 0, the images meet at (s, t) exactly where
-// F = X1 W2 - X2 W1 and G = Y1 W2 - Y2 W1 vanish. A common factor of F and G is a curve of solutions in the
-// (s, t) square; after division by it F and G have finitely many common zeros, over roots of their resultant.
-// For a curve with itself, F and G are divided by s - t first: what then vanishes at s = t are cusps.
+// With homogeneous curves (X1, Y1, W1)(s) and (X2, Y2, W2)(t), W1, W2 > 0, the images meet at (s, t) exactly
+// where F = X1 W2 - X2 W1 and G = Y1 W2 - Y2 W1 vanish. A common factor of F and G is a curve of solutions in
+// the (s, t) square; after division by it F and G have finitely many common zeros, over roots of their
+// resultant. For a curve with itself, F and G are divided by s - t first: what then vanishes at s = t are
+// cusps.
 #pragma once
 
 #include "bezcert/algebra/zero_set.hpp"

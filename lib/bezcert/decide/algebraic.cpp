@@ -43,8 +43,9 @@ std::optional<Rational> place_on_column(const Univariate& column, int wanted, co
   return std::nullopt;
 }
 
-// A point with the wanted sign near the curve along which a factor of odd multiplicity changes its sign. All but
-// finitely many columns of the cell have one: other factors vanish on the curve at finitely many points only.
+// A point with the wanted sign near the curve along which a factor of odd multiplicity changes its sign. All
+// but finitely many columns of the cell have one: other factors vanish on the curve at finitely many points
+// only.
 Point place_near(const Polynomial<Integer>& n, const Bivariate& powers, int wanted, const ZeroSet& zeros) {
   const Bivariate in_columns = zeros.column_is_u ? powers : swapped(powers);
   const auto& [lower, upper] = zeros.cell;

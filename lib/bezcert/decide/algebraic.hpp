@@ -1,7 +1,8 @@
-// The signs and zeros of the Jacobian numerator N, decided by algebra: for what dyadic subdivision cannot settle.
+// The signs and zeros of the Jacobian numerator N, decided by algebra: for what dyadic subdivision cannot
+// settle.
 //
-// N is factored over the rationals; N changes its sign exactly where a factor of odd multiplicity does, and vanishes
-// where any factor does (algebra/zero_set.hpp). Proof in docs/decision.md, "Algebra".
+// N is factored over the rationals; N changes its sign exactly where a factor of odd multiplicity does, and
+// vanishes where any factor does (algebra/zero_set.hpp). Proof in docs/decision.md, "Algebra".
 #pragma once
 
 #include "bezcert/algebra/zero_set.hpp"
@@ -29,9 +30,9 @@ struct AlgebraicSigns {
   std::optional<AlgebraicZero> zero;
 };
 
-/// Whether N takes the sign `wanted` (1 or -1) and, if not, whether it vanishes. Only columns in the strips are looked
-/// at. Preconditions: n is not 0; it takes the other sign -wanted somewhere; n is not 0 at zeros outside the strips,
-/// but on edges.
+/// Whether N takes the sign `wanted` (1 or -1) and, if not, whether it vanishes. Only columns in the strips
+/// are looked at. Preconditions: n is not 0; it takes the other sign -wanted somewhere; n is not 0 at zeros
+/// outside the strips, but on edges.
 AlgebraicSigns algebraic_signs(const Polynomial<Integer>& n, int wanted, const Strips& strips_u,
                                const Strips& strips_v, std::size_t budget_bits);
 

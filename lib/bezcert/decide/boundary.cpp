@@ -59,9 +59,11 @@ BoundaryResult examine_boundary(const Forms& forms, const ContactBudget& budget)
   const auto examine = [&](int i, int j, ContactResult found) {
     if (found.status == ContactStatus::contact) {
       const Contact& at = *found.contact;
-      result = {BoundaryStatus::overlapping,
-                Overlap{{i, at.first.lower, at.first.upper}, {j, at.second.lower, at.second.upper}, at.along_a_piece},
-                {}};
+      result = {
+          BoundaryStatus::overlapping,
+          Overlap{
+              {i, at.first.lower, at.first.upper}, {j, at.second.lower, at.second.upper}, at.along_a_piece},
+          {}};
     } else if (found.status == ContactStatus::open) {
       result.status = BoundaryStatus::open;
       result.exhausted = std::move(found.exhausted);

@@ -25,10 +25,9 @@ class SignSearch {
       if (tree_.depth(piece) >= budget_.depth) {
         exhausted_ = "subdivision depth " + std::to_string(budget_.depth);
       } else if (!tree_.may_split(pieces)) {
-        exhausted_ =
-            tree_.piece_count() + 2 > pieces
-                ? "subdivision pieces " + std::to_string(pieces)
-                : "subdivision bits " + std::to_string(max_tree_bits) + " (the numbers are too long)";
+        exhausted_ = tree_.piece_count() + 2 > pieces ? "subdivision pieces " + std::to_string(pieces)
+                                                      : "subdivision bits " + std::to_string(max_tree_bits) +
+                                                            " (the numbers are too long)";
       } else {
         const auto [first, second] = tree_.split(piece);
         visit(first);
@@ -114,7 +113,7 @@ class SignSearch {
   JacobianTree tree_;
   std::vector<JacobianTree::Piece> settled_;
   std::vector<JacobianTree::Piece> with_zero_;  // those settled ones where N vanishes
-  std::vector<JacobianTree::Piece> open_;  // in breadth-first order; the first done_ are split
+  std::vector<JacobianTree::Piece> open_;       // in breadth-first order; the first done_ are split
   std::size_t done_ = 0;
   std::optional<CornerOfPiece> negative_, zero_, positive_;
   std::string exhausted_;
@@ -132,11 +131,12 @@ Parameter parameter_of(const Element& element, const std::array<Rational, 2>& uv
   return {Rational(1 - uv[0] - uv[1]), uv[0], uv[1]};
 }
 
-// The pieces that are looked at before algebra is asked: most elements are settled by a handful, and where N touches
-// zero more of them do not help.
+// The pieces that are looked at before algebra is asked: most elements are settled by a handful, and where N
+// touches zero more of them do not help.
 constexpr std::size_t pieces_before_algebra = 512;
 
-// A strict sign that N takes: one met at a corner, else anywhere on a grid that is fine enough for N's degree.
+// A strict sign that N takes: one met at a corner, else anywhere on a grid that is fine enough for N's
+// degree.
 int some_sign(const SignSearch& search, const Polynomial<Integer>& n) {
   if (search.negative()) return -1;
   if (search.positive()) return 1;
@@ -152,18 +152,19 @@ int some_sign(const SignSearch& search, const Polynomial<Integer>& n) {
 }
 
 // What subdivision left open, or the dimension of the zero set where it did not.
-void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearch& search, Decision& decision) {
+void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearch& search,
+                       Decision& decision) {
   const Polynomial<Integer>& n = forms.exact_jacobian().numerator;
   const Element& element = forms.element();
   const bool open = decision.verdict == ElementVerdict::undecided;
-  if (std::all_of(n.coefficients.begin(), n.coefficients.end(), [](const Integer& c) { return c.is_zero(); })) {
+  if (std::all_of(n.coefficients.begin(), n.coefficients.end(),
+                  [](const Integer& c) { return c.is_zero(); })) {
     const RealRoot third = {Univariate({Integer(-1), Integer(3)}), Rational(1, 3), Rational(1, 3)};
     decision.zero = AlgebraicZero{{third, third}, 2};
     return;
   }
   const int met = some_sign(search, n);
-  AlgebraicSigns signs =
-      algebraic_signs(n, -met, search.strips(0), search.strips(1), budget.algebra_bits);
+  AlgebraicSigns signs = algebraic_signs(n, -met, search.strips(0), search.strips(1), budget.algebra_bits);
   if (!signs.exhausted.empty()) {
     decision.open = "budget: " + signs.exhausted;
     return;
@@ -233,9 +234,7 @@ void tighten(Decision& decision) {
     case ElementVerdict::regular:
       if (sign(bounds.min_lower) < 0) bounds.min_lower = zero;
       break;
-    case ElementVerdict::degenerate:
-      bounds.min_lower = bounds.min_upper = zero;
-      break;
+    case ElementVerdict::degenerate: bounds.min_lower = bounds.min_upper = zero; break;
     case ElementVerdict::reversed:
       if (sign(bounds.max_upper) > 0) bounds.max_upper = zero;
       break;
@@ -308,7 +307,8 @@ Decision decide(const Forms& forms, const Budget& budget) {
     decision.verdict = verdict_of(search);
   }
   decision.pieces = search.tree().piece_count();
-  if (decision.sign_proof.empty()) decision.sign_proof = decision.pieces == 1 ? "coefficients" : "subdivision";
+  if (decision.sign_proof.empty())
+    decision.sign_proof = decision.pieces == 1 ? "coefficients" : "subdivision";
   decision.bounds = search.bounds();
   if (decision.verdict == ElementVerdict::regular && sign(decision.bounds.min_lower) <= 0) {
     search.raise_lower_bound();

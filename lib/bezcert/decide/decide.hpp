@@ -3,9 +3,9 @@
 // Theorem used (docs/decision.md): let S be the set of signs that det J takes on the closed element. S = {+}
 // is regular; {0} or {0,+} degenerate; {-} reversed; every other S folded. Subdivision of the Jacobian
 // numerator finds S: on a piece whose coefficients have one sign, the signs of N are known; a corner of a
-// piece gives the sign at a dyadic parameter. Where N touches zero, or nearly so, subdivision does not end: what it
-// leaves open goes to algebra (algebraic.hpp). All signs are exact. What is open when a budget is spent is
-// `undecided`, never a guess.
+// piece gives the sign at a dyadic parameter. Where N touches zero, or nearly so, subdivision does not end:
+// what it leaves open goes to algebra (algebraic.hpp). All signs are exact. What is open when a budget is
+// spent is `undecided`, never a guess.
 #pragma once
 
 #include "bezcert/decide/algebraic.hpp"
@@ -39,15 +39,16 @@ struct Budget {
   std::size_t pieces = 4096;
   /// Halvings of the domain for one piece.
   int depth = 96;
-  /// The largest resultant that algebra is asked about, in bits: degree times bits of a coefficient. 0: no algebra.
+  /// The largest resultant that algebra is asked about, in bits: degree times bits of a coefficient. 0: no
+  /// algebra.
   std::size_t algebra_bits = std::size_t{1} << 25;
   ContactBudget contact;
 };
 
 struct Decision {
   ElementVerdict verdict = ElementVerdict::undecided;
-  /// folded, reversed: det J < 0 there. degenerate: det J = 0 there, if a rational zero is known (`zero` tells
-  /// otherwise). undecided: the lowest value met, if it is not positive.
+  /// folded, reversed: det J < 0 there. degenerate: det J = 0 there, if a rational zero is known (`zero`
+  /// tells otherwise). undecided: the lowest value met, if it is not positive.
   std::optional<Witness> witness;
   /// folded: a parameter with det J >= 0, so that the element is not reversed.
   std::optional<Witness> other_witness;

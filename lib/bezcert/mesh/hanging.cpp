@@ -64,7 +64,8 @@ class Search {
         const bool last = end(one) == gluing_.begin[use];
         if (last && chain.empty()) continue;  // another edge between the same two vertices
         if (!last && !passes_inside(net, edges_.point(end(one)))) continue;
-        // The middle of the short edge too: a straight way between two points of a curved edge is not along it.
+        // The middle of the short edge too: a straight way between two points of a curved edge is not along
+        // it.
         if (!passes_inside(net, point_at(edges_.exact(one), Rational(1, 2)))) continue;
         next = one;
         break;
@@ -85,7 +86,8 @@ class Search {
       if (end(first) == gluing_.begin[use]) continue;
       for (const EdgeUse second : leaving(end(first))) {
         if (end(second) != gluing_.begin[use]) continue;
-        if (edges_.element(first) == edges_.element(use) || edges_.element(second) == edges_.element(use)) continue;
+        if (edges_.element(first) == edges_.element(use) || edges_.element(second) == edges_.element(use))
+          continue;
         const Rational distance = to_rational(distance_bounds(net, edges_.point(end(first))).upper);
         if (distance * distance * 64 <= chord) return {first, second};
       }
@@ -112,10 +114,10 @@ class Search {
       name_nodes(edges_, {node}, obstacle);
       obstacle.distance = exactly ? DistanceBounds{} : distance_bounds(net, edges_.point(node));
       const std::vector<std::uint32_t> neighbours = {edges_.element(chain[i]), edges_.element(chain[i + 1])};
-      obstacle.message = node_text(edges_, node) + ", a corner of " + elements_text(edges_.mesh(), neighbours) +
-                         (exactly ? ", lies inside edge " : ", lies beside edge ") +
-                         std::to_string(edges_.edge(use)) + " of element " +
-                         std::to_string(edges_.element_number(use));
+      obstacle.message =
+          node_text(edges_, node) + ", a corner of " + elements_text(edges_.mesh(), neighbours) +
+          (exactly ? ", lies inside edge " : ", lies beside edge ") + std::to_string(edges_.edge(use)) +
+          " of element " + std::to_string(edges_.element_number(use));
       if (!exactly) {
         obstacle.message += ", at most " + to_decimal(to_rational(obstacle.distance->upper)) + " from it";
       }

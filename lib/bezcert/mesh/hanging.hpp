@@ -1,18 +1,18 @@
 // Hanging nodes that tear the elements around a vertex apart.
 //
-// A long edge from a to b faces two or more short ones between the same vertices. None of them is glued, so the elements
-// at a and b fall into several fans, as if parts of the mesh only touched there. What is wrong is the node in between: it
-// is named, as non_conforming, before vertices are looked at. (Hanging nodes at vertices with one fan are found where the
-// boundary meets itself: boundary_contacts.hpp.)
+// A long edge from a to b faces two or more short ones between the same vertices. None of them is glued, so
+// the elements at a and b fall into several fans, as if parts of the mesh only touched there. What is wrong
+// is the node in between: it is named, as non_conforming, before vertices are looked at. (Hanging nodes at
+// vertices with one fan are found where the boundary meets itself: boundary_contacts.hpp.)
 #pragma once
 
 #include "bezcert/mesh/gluing.hpp"
 
 namespace bezcert {
 
-/// Looks at vertices where two or more boundary edges begin. The short edges' inner nodes lie exactly on the long edge; or
-/// there is one, at most an eighth of the distance of the long edge's ends from it. Adds obstacles and marks the edges as
-/// faulty.
+/// Looks at vertices where two or more boundary edges begin. The short edges' inner nodes lie exactly on the
+/// long edge; or there is one, at most an eighth of the distance of the long edge's ends from it. Adds
+/// obstacles and marks the edges as faulty.
 void find_hanging_nodes(const MeshEdges& edges, const CornersByVertex& corners, Gluing& gluing,
                         ObstacleList& obstacles);
 

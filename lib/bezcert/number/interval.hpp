@@ -30,8 +30,9 @@ class RoundingScope {
   Interval::Protector protector_;
 };
 
-/// While one of these lives, the thread rounds to nearest: for libraries that count on it, even inside a RoundingScope.
-/// (CGAL's own functions, because std::fegetround does not see the mode that a RoundingScope sets.)
+/// While one of these lives, the thread rounds to nearest: for libraries that count on it, even inside a
+/// RoundingScope. (CGAL's own functions, because std::fegetround does not see the mode that a RoundingScope
+/// sets.)
 class NearestRounding {
  public:
   NearestRounding() : before_(CGAL::FPU_get_and_set_cw(CGAL_FE_TONEAREST)) {}
