@@ -2,6 +2,8 @@
 
 #include "bezcert/bernstein/multinomial.hpp"
 
+#include <algorithm>
+
 namespace bezcert {
 namespace {
 
@@ -72,29 +74,55 @@ std::pair<std::vector<Integer>, std::vector<Integer>> halve(const std::vector<In
   return {std::move(left), std::move(right)};
 }
 
-class Isolation {
- public:
-  Isolation(const Univariate& f, std::vector<RealRoot>& roots) : f_(f), roots_(roots) {}
-
-  // Roots in the open interval, in ascending order.
-  void open_interval(const std::vector<Integer>& bernstein, const Rational& lower, const Rational& upper) {
-    const int changes = sign_changes(bernstein);
-    if (changes == 0) return;
-    if (changes == 1 && !bernstein.front().is_zero() && !bernstein.back().is_zero()) {
-      roots_.push_back({f_, lower, upper});
-      return;
-    }
-    const Rational middle = (lower + upper) / 2;
-    const auto [left, right] = halve(bernstein);
-    open_interval(left, lower, middle);
-    if (right.front().is_zero()) roots_.push_back({f_, middle, middle});
-    open_interval(right, middle, upper);
+// Divides by the largest common power of two: a positive factor does not matter.
+void shorten(std::vector<Integer>& values) {
+  mp_bitcnt_t common = ~mp_bitcnt_t{0};
+  for (const Integer& value : values) {
+    if (!value.is_zero()) common = std::min(common, mpz_scan1(value.backend().data(), 0));
   }
+  if (common == 0 || common == ~mp_bitcnt_t{0}) return;
+  for (Integer& value : values) {
+    mpz_tdiv_q_2exp(value.backend().data(), value.backend().data(), common);
+  }
+}
 
- private:
-  const Univariate& f_;
-  std::vector<RealRoot>& roots_;
-};
+// Roots in the open interval, in ascending order. Intervals without sign changes are dropped at once, so that few are
+// kept however deep the search goes: coefficients grow by the degree in bits with every halving.
+void isolate(const Univariate& f, std::vector<Integer> bernstein, const Rational& lower, const Rational& upper,
+             std::vector<RealRoot>& roots) {
+  struct Task {
+    std::vector<Integer> bernstein;  // empty: `lower` is a root
+    Rational lower, upper;
+  };
+  std::vector<Task> stack;
+  stack.push_back({std::move(bernstein), lower, upper});
+  while (!stack.empty()) {
+    const Task task = std::move(stack.back());
+    stack.pop_back();
+    if (task.bernstein.empty()) {
+      roots.push_back({f, task.lower, task.lower});
+      continue;
+    }
+    const int changes = sign_changes(task.bernstein);
+    if (changes == 0) continue;
+    if (changes == 1 && !task.bernstein.front().is_zero() && !task.bernstein.back().is_zero()) {
+      roots.push_back({f, task.lower, task.upper});
+      continue;
+    }
+    const Rational middle = (task.lower + task.upper) / 2;
+    auto [left, right] = halve(task.bernstein);
+    const bool root_at_middle = right.front().is_zero();
+    if (sign_changes(right) > 0) {
+      shorten(right);
+      stack.push_back({std::move(right), middle, task.upper});
+    }
+    if (root_at_middle) stack.push_back({{}, middle, middle});
+    if (sign_changes(left) > 0) {
+      shorten(left);
+      stack.push_back({std::move(left), task.lower, middle});
+    }
+  }
+}
 
 }  // namespace
 
@@ -119,9 +147,10 @@ std::vector<RealRoot> roots_in(const Univariate& f, const Rational& lower, const
   std::vector<RealRoot> roots;
   if (f.degree() <= 0) return roots;
   const std::vector<Integer> bernstein = bernstein_over(f, lower, upper);
+  const bool at_upper = bernstein.back().is_zero();
   if (bernstein.front().is_zero()) roots.push_back({f, lower, lower});
-  Isolation(f, roots).open_interval(bernstein, lower, upper);
-  if (bernstein.back().is_zero()) roots.push_back({f, upper, upper});
+  isolate(f, bernstein, lower, upper, roots);
+  if (at_upper) roots.push_back({f, upper, upper});
   return roots;
 }
 

@@ -67,6 +67,14 @@ AlgebraicSigns algebraic_signs(const Polynomial<Integer>& n, int wanted, const S
                                const Strips& strips_v, std::size_t budget_bits) {
   const Bivariate powers = to_power_basis(n);
   AlgebraicSigns result;
+  // Factoring comes first and is dear for long coefficients alone.
+  std::size_t bits_of_n = 0;
+  for (const Integer& c : n.coefficients) bits_of_n += mpz_sizeinbase(c.backend().data(), 2);
+  if (bits_of_n > budget_bits / 16) {
+    result.exhausted = "algebra bits " + std::to_string(budget_bits) + " (N has " + std::to_string(bits_of_n) +
+                       " bits, to be factored within a sixteenth of that)";
+    return result;
+  }
   const auto factors = irreducible_factors(powers);
   for (const auto& [factor, multiplicity] : factors) {
     const std::size_t bits = resultant_bits(factor);
