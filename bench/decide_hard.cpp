@@ -1,7 +1,8 @@
-// How long the exact decision takes where det J touches zero or nearly does: the whole corpus of single elements, one thread.
+// How long the exact decision takes where det J touches zero or nearly does: the whole corpus of single
+// elements, one thread.
 //
-// Prints the slowest elements, the slowest of each degree, and the time of all relative to the same decision without
-// algebra (subdivision to its full budget, which leaves many of them open).
+// Prints the slowest elements, the slowest of each degree, and the time of all relative to the same decision
+// without algebra (subdivision to its full budget, which leaves many of them open).
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
@@ -61,7 +62,8 @@ int main(int argc, char** argv) {
       row.degree = element.degree();
       row.kind = std::string(element.rational() ? "rational " : "") + kind_name(element);
       row.seconds = seconds_of([&] { row.verdict = name(decide(Forms(element)).verdict); });
-      row.seconds_without = seconds_of([&] { row.without = name(decide(Forms(element), no_algebra).verdict); });
+      row.seconds_without =
+          seconds_of([&] { row.without = name(decide(Forms(element), no_algebra).verdict); });
       rows.push_back(std::move(row));
     }
   }
@@ -76,11 +78,13 @@ int main(int argc, char** argv) {
     worst.try_emplace(row.degree, row);
     all += row.seconds;
     all_without += row.seconds_without;
-    const auto is_open = [](std::string_view verdict) { return verdict == "undecided" || verdict == "regular"; };
+    const auto is_open = [](std::string_view verdict) {
+      return verdict == "undecided" || verdict == "regular";
+    };
     open += is_open(row.verdict);
     open_without += is_open(row.without);
   }
   for (const auto& [degree, row] : worst) print(row);
-  std::printf("all: %.3f s, %zu open; without algebra: %.3f s, %zu open; ratio %.2f\n", all, open, all_without,
-              open_without, all_without / all);
+  std::printf("all: %.3f s, %zu open; without algebra: %.3f s, %zu open; ratio %.2f\n", all, open,
+              all_without, open_without, all_without / all);
 }

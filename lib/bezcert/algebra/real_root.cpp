@@ -154,6 +154,25 @@ std::vector<RealRoot> roots_in(const Univariate& f, const Rational& lower, const
   return roots;
 }
 
+std::vector<Gap> gaps_between_roots(const Univariate& f, const Rational& lower, const Rational& upper) {
+  std::vector<RealRoot> marks = roots_in(f, lower, upper);
+  marks.insert(marks.begin(), RealRoot{Univariate(), lower, lower});
+  marks.push_back({Univariate(), upper, upper});
+  std::vector<Gap> gaps;
+  for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
+    RealRoot& a = marks[i];
+    RealRoot& b = marks[i + 1];
+    if (a.is_rational() && b.is_rational() && a.lower == b.lower) continue;
+    while (!(a.upper < b.lower)) {
+      a.refine();
+      b.refine();
+    }
+    const Rational quarter = (b.lower - a.upper) / 4;
+    gaps.push_back({a.upper, b.lower, simplest_between(a.upper + quarter, b.lower - quarter)});
+  }
+  return gaps;
+}
+
 Rational simplest_between(const Rational& lower, const Rational& upper) {
   if (lower.sign() <= 0 && upper.sign() >= 0) return 0;
   if (upper.sign() < 0) return -simplest_between(-upper, -lower);

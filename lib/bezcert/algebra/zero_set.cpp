@@ -117,25 +117,12 @@ class Search {
 
   // Samples one column between neighbouring roots of `critical` that lie in the strip.
   void look_between(const Univariate& critical, const Rational& lower, const Rational& upper) {
-    std::vector<RealRoot> marks = {RealRoot{Univariate(), lower, lower}};
-    if (critical.degree() > 0) {
-      for (RealRoot& root : roots_in(critical, lower, upper)) marks.push_back(std::move(root));
-    }
-    marks.push_back({Univariate(), upper, upper});
-    for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
-      RealRoot& a = marks[i];
-      RealRoot& b = marks[i + 1];
-      if (a.is_rational() && b.is_rational() && a.lower == b.lower) continue;
-      while (!(a.upper < b.lower)) {
-        a.refine();
-        b.refine();
-      }
-      const Rational quarter = (b.lower - a.upper) / 4;
-      const Rational u = simplest_between(a.upper + quarter, b.lower - quarter);
+    for (const Gap& gap : gaps_between_roots(critical, lower, upper)) {
+      const Rational& u = gap.sample;
       std::vector<RealRoot> roots = roots_in(at_u(h_, u), 0, top(u));
       if (roots.empty()) continue;
       result_.changes_sign = true;
-      result_.cell = {a.upper, b.lower};
+      result_.cell = {gap.lower, gap.upper};
       RealRoot v = with_minimal_polynomial(std::move(roots.front()));
       v.refine_to(shown_width());
       found(1, {exactly(u), std::move(v)});

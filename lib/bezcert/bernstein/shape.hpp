@@ -64,6 +64,27 @@ inline std::vector<std::size_t> corner_indices(Shape shape) {
   return {};
 }
 
+/// The positions of the coefficients of edge i, which leads from corner i to the next, in that direction.
+inline std::vector<std::size_t> edge_positions(Shape shape, int edge) {
+  std::vector<std::size_t> result;
+  const auto add = [&](int row, int column) { result.push_back(coefficient_index(shape, row, column)); };
+  if (shape.domain == Domain::triangle) {
+    for (int k = 0; k <= shape.p; ++k) {
+      if (edge == 0) add(0, k);
+      if (edge == 1) add(k, shape.p - k);
+      if (edge == 2) add(shape.p - k, 0);
+    }
+    return result;
+  }
+  for (int k = 0; k <= (edge % 2 == 0 ? shape.p : shape.q); ++k) {
+    if (edge == 0) add(0, k);
+    if (edge == 1) add(k, shape.p);
+    if (edge == 2) add(shape.q, shape.p - k);
+    if (edge == 3) add(shape.q - k, 0);
+  }
+  return result;
+}
+
 /// The shape of a product. Throws std::invalid_argument if the domains differ.
 inline Shape product_shape(Shape a, Shape b) {
   if (a.domain != b.domain) throw std::invalid_argument("product_shape: the domains differ");

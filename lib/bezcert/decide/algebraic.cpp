@@ -23,22 +23,8 @@ std::size_t resultant_bits(const Bivariate& h) {
 // Where N has the sign `wanted` on a column u = constant, between roots of N there.
 std::optional<Rational> place_on_column(const Univariate& column, int wanted, const Rational& top) {
   if (column.is_zero()) return std::nullopt;
-  std::vector<RealRoot> marks = {RealRoot{Univariate(), 0, 0}};
-  if (column.degree() > 0) {
-    for (RealRoot& root : roots_in(square_free_part(column), 0, top)) marks.push_back(std::move(root));
-  }
-  marks.push_back({Univariate(), top, top});
-  for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
-    RealRoot& a = marks[i];
-    RealRoot& b = marks[i + 1];
-    if (a.is_rational() && b.is_rational() && a.lower == b.lower) continue;
-    while (!(a.upper < b.lower)) {
-      a.refine();
-      b.refine();
-    }
-    const Rational quarter = (b.lower - a.upper) / 4;
-    const Rational v = simplest_between(a.upper + quarter, b.lower - quarter);
-    if (sign_at(column, v) == wanted) return v;
+  for (const Gap& gap : gaps_between_roots(square_free_part(column), 0, top)) {
+    if (sign_at(column, gap.sample) == wanted) return gap.sample;
   }
   return std::nullopt;
 }

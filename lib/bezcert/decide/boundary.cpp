@@ -6,31 +6,10 @@
 namespace bezcert {
 namespace {
 
-// Positions in the control net of the control points of an edge, counter-clockwise.
-std::vector<std::size_t> edge_indices(Shape shape, int edge) {
-  std::vector<std::size_t> result;
-  const auto add = [&](int row, int column) { result.push_back(coefficient_index(shape, row, column)); };
-  if (shape.domain == Domain::triangle) {
-    for (int k = 0; k <= shape.p; ++k) {
-      if (edge == 0) add(0, k);
-      if (edge == 1) add(k, shape.p - k);
-      if (edge == 2) add(shape.p - k, 0);
-    }
-    return result;
-  }
-  for (int k = 0; k <= (edge % 2 == 0 ? shape.p : shape.q); ++k) {
-    if (edge == 0) add(0, k);
-    if (edge == 1) add(k, shape.p);
-    if (edge == 2) add(shape.q, shape.p - k);
-    if (edge == 3) add(shape.q - k, 0);
-  }
-  return result;
-}
-
 template <class T>
 CurveNet<T> edge_net(const Net<T>& net, int edge) {
   CurveNet<T> result;
-  for (const std::size_t i : edge_indices(net.shape, edge)) {
+  for (const std::size_t i : edge_positions(net.shape, edge)) {
     result.x.push_back(net.x[i]);
     result.y.push_back(net.y[i]);
     result.w.push_back(net.rational() ? net.w[i] : T(1));

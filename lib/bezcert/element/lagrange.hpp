@@ -10,6 +10,7 @@
 #include "bezcert/bernstein/shape.hpp"
 #include "bezcert/number/interval.hpp"
 
+#include <type_traits>
 #include <vector>
 
 namespace bezcert {
@@ -27,5 +28,26 @@ struct BasisChange {
 
 /// coefficients = matrix * nodal values / denominator. Built once a shape, then kept.
 const BasisChange& lagrange_to_bernstein(Shape shape);
+
+/// Nodal values to `denominator` times the coefficients, for T = Interval (needs a RoundingScope) or Integer. Nothing
+/// happens to an empty list.
+template <class T>
+void change_basis(const BasisChange& change, std::vector<T>& values) {
+  if (values.empty()) return;
+  std::vector<T> result;
+  result.reserve(values.size());
+  for (const auto& row : change.rows) {
+    T sum(0);
+    for (const auto& entry : row) {
+      if constexpr (std::is_same_v<T, Interval>) {
+        sum += entry.interval * values[entry.column];
+      } else {
+        sum += entry.exact * values[entry.column];
+      }
+    }
+    result.push_back(std::move(sum));
+  }
+  values = std::move(result);
+}
 
 }  // namespace bezcert

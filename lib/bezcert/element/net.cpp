@@ -8,26 +8,6 @@
 namespace bezcert {
 namespace {
 
-// coefficients = integer matrix * nodes; the common denominator goes into the scale.
-template <class T>
-void change_basis(const BasisChange& change, std::vector<T>& values) {
-  if (values.empty()) return;
-  std::vector<T> result;
-  result.reserve(values.size());
-  for (const auto& row : change.rows) {
-    T sum(0);
-    for (const auto& entry : row) {
-      if constexpr (std::is_same_v<T, Interval>) {
-        sum += entry.interval * values[entry.column];
-      } else {
-        sum += entry.exact * values[entry.column];
-      }
-    }
-    result.push_back(std::move(sum));
-  }
-  values = std::move(result);
-}
-
 // Nodal values to control points, multiplied by a positive integer. Returns the integer that X / W is
 // multiplied by: of homogeneous coordinates all three are, and it cancels.
 template <class T>

@@ -9,25 +9,6 @@
 namespace bezcert {
 namespace {
 
-// values -> matrix * values, which is the denominator times the control points.
-template <class T>
-void change_basis(const BasisChange& change, std::vector<T>& values) {
-  std::vector<T> result;
-  result.reserve(values.size());
-  for (const auto& row : change.rows) {
-    T sum(0);
-    for (const auto& entry : row) {
-      if constexpr (std::is_same_v<T, Interval>) {
-        sum += entry.interval * values[entry.column];
-      } else {
-        sum += entry.exact * values[entry.column];
-      }
-    }
-    result.push_back(std::move(sum));
-  }
-  values = std::move(result);
-}
-
 const BasisChange& segment_change(std::size_t count) {
   return lagrange_to_bernstein(Shape{Domain::segment, static_cast<int>(count) - 1, 0});
 }
@@ -61,25 +42,6 @@ std::vector<Interval> relative(const ExactVector& numbers, const std::vector<std
 }
 
 }  // namespace
-
-std::vector<std::size_t> edge_positions(Shape shape, int edge) {
-  std::vector<std::size_t> result;
-  const bool triangle = shape.domain == Domain::triangle;
-  const int steps = triangle || edge % 2 == 0 ? shape.p : shape.q;
-  for (int k = 0; k <= steps; ++k) {
-    int row = 0, column = k;
-    if (triangle) {
-      if (edge == 1) row = k, column = shape.p - k;
-      if (edge == 2) row = shape.p - k, column = 0;
-    } else {
-      if (edge == 1) row = k, column = shape.p;
-      if (edge == 2) row = shape.q, column = shape.p - k;
-      if (edge == 3) row = shape.q - k, column = 0;
-    }
-    result.push_back(coefficient_index(shape, row, column));
-  }
-  return result;
-}
 
 MeshEdges::MeshEdges(const Mesh& mesh) : mesh_(mesh) {
   first_.reserve(mesh.elements.size() + 1);

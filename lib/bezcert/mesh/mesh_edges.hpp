@@ -85,7 +85,4 @@ class MeshEdges {
   std::vector<std::uint32_t> element_;
 };
 
-/// Positions among an element's coefficients of those of an edge, in its direction.
-std::vector<std::size_t> edge_positions(Shape shape, int edge);
-
 }  // namespace bezcert
