@@ -24,6 +24,12 @@ Json obstacle_object(const Mesh& mesh, const MeshObstacle& obstacle, const Obsta
   if (obstacle.kind == MeshVerdict::invalid_element) object["count"] = all.count(obstacle.kind);
   object["elements"] = element_numbers(mesh, obstacle.elements);
   if (obstacle.kind == MeshVerdict::invalid_element) return object;
+  if (!obstacle.edges.empty()) {
+    object["edges"] = Json::array();
+    for (const ElementEdge& edge : obstacle.edges) {
+      object["edges"].push_back({{"element", mesh.elements[edge.element].tag}, {"edge", edge.edge}});
+    }
+  }
   if (!obstacle.nodes.empty()) object["nodes"] = node_numbers(mesh, obstacle.nodes);
   if (!obstacle.points.empty()) {
     object["points"] = Json::array();

@@ -102,6 +102,8 @@ class BoundaryCheck {
     MeshObstacle result;
     result.kind = kind;
     result.elements = {edges_.element(a), edges_.element(b)};
+    name_edge(edges_, a, result);
+    name_edge(edges_, b, result);
     return result;
   }
 
@@ -136,7 +138,9 @@ class BoundaryCheck {
       MeshObstacle result;
       result.kind = MeshVerdict::non_conforming;
       for (const EdgeUse one : chain) {
-        if (begin(one) == node || end(one) == node) result.elements.push_back(edges_.element(one));
+        if (begin(one) != node && end(one) != node) continue;
+        result.elements.push_back(edges_.element(one));
+        name_edge(edges_, one, result);
       }
       std::sort(result.elements.begin(), result.elements.end());
       result.elements.erase(std::unique(result.elements.begin(), result.elements.end()),
@@ -144,6 +148,7 @@ class BoundaryCheck {
       result.message = node_text(edges_, node) + ", a corner of " +
                        elements_text(edges_.mesh(), result.elements) + ", lies inside " + edge_text(use);
       result.hint = "a hanging node: split that element there, or remove the node";
+      name_edge(edges_, use, result);
       result.elements.insert(
           std::lower_bound(result.elements.begin(), result.elements.end(), edges_.element(use)),
           edges_.element(use));
@@ -199,7 +204,10 @@ class BoundaryCheck {
     if (!hanging_.insert({node, loop[0]}).second) return true;
     MeshObstacle result;
     result.kind = MeshVerdict::non_conforming;
-    for (const EdgeUse use : loop) result.elements.push_back(edges_.element(use));
+    for (const EdgeUse use : loop) {
+      result.elements.push_back(edges_.element(use));
+      name_edge(edges_, use, result);
+    }
     std::sort(result.elements.begin(), result.elements.end());
     result.elements.erase(std::unique(result.elements.begin(), result.elements.end()), result.elements.end());
     name_nodes(edges_, {node}, result);

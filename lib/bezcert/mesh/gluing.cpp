@@ -136,7 +136,9 @@ class Gluer {
     result.kind = kind;
     for (const Use& use : uses) {
       gluing_.faulty[use.use] = true;
-      if (result.elements.size() < named) result.elements.push_back(edges_.element(use.use));
+      if (result.elements.size() == named) continue;
+      result.elements.push_back(edges_.element(use.use));
+      name_edge(edges_, use.use, result);
     }
     const std::uint32_t a = smaller(uses[0].use), b = uses[0].other;
     name_nodes(edges_, {a, b}, result);

@@ -111,6 +111,7 @@ class Search {
       std::sort(obstacle.elements.begin(), obstacle.elements.end());
       obstacle.elements.erase(std::unique(obstacle.elements.begin(), obstacle.elements.end()),
                               obstacle.elements.end());
+      for (const EdgeUse one : {use, chain[i], chain[i + 1]}) name_edge(edges_, one, obstacle);
       name_nodes(edges_, {node}, obstacle);
       obstacle.distance = exactly ? DistanceBounds{} : distance_bounds(net, edges_.point(node));
       const std::vector<std::uint32_t> neighbours = {edges_.element(chain[i]), edges_.element(chain[i + 1])};

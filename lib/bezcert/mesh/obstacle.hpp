@@ -34,9 +34,16 @@ struct DistanceBounds {
   Dyadic lower, upper;
 };
 
+/// Edge `edge` of an element, from its corner of that number to the next.
+struct ElementEdge {
+  std::uint32_t element = 0;  ///< index into the mesh's elements
+  int edge = 0;
+};
+
 struct MeshObstacle {
   MeshVerdict kind = MeshVerdict::undecided;
   std::vector<std::uint32_t> elements;  ///< indices into the mesh's elements
+  std::vector<ElementEdge> edges;       ///< those that are not as they should be, if it is about edges
   std::vector<std::uint32_t> nodes;     ///< indices into the mesh's nodes; empty if it is glued by points
   std::vector<Point> points;            ///< of the nodes, or where it is; exact
   std::optional<DistanceBounds> distance;
@@ -83,6 +90,11 @@ std::string node_text(const MeshEdges& edges, std::uint32_t node);
 
 /// "element 12", "elements 12 and 40", "elements 12, 40 and 41": as the file numbers them.
 std::string elements_text(const Mesh& mesh, const std::vector<std::uint32_t>& elements);
+
+/// Adds an edge to an obstacle, without its element.
+inline void name_edge(const MeshEdges& edges, EdgeUse use, MeshObstacle& obstacle) {
+  obstacle.edges.push_back({edges.element(use), edges.edge(use)});
+}
 
 /// Adds nodes with their points to an obstacle.
 void name_nodes(const MeshEdges& edges, const std::vector<std::uint32_t>& nodes, MeshObstacle& obstacle);
