@@ -86,10 +86,10 @@ void shorten(std::vector<Integer>& values) {
   }
 }
 
-// Roots in the open interval, in ascending order. Intervals without sign changes are dropped at once, so that few are
-// kept however deep the search goes: coefficients grow by the degree in bits with every halving.
-void isolate(const Univariate& f, std::vector<Integer> bernstein, const Rational& lower, const Rational& upper,
-             std::vector<RealRoot>& roots) {
+// Roots in the open interval, in ascending order. Intervals without sign changes are dropped at once, so that
+// few are kept however deep the search goes: coefficients grow by the degree in bits with every halving.
+void isolate(const Univariate& f, std::vector<Integer> bernstein, const Rational& lower,
+             const Rational& upper, std::vector<RealRoot>& roots) {
   struct Task {
     std::vector<Integer> bernstein;  // empty: `lower` is a root
     Rational lower, upper;

@@ -34,8 +34,8 @@ struct Gap {
   Rational lower, upper, sample;
 };
 
-/// The gaps between `lower`, the roots of f in [lower, upper] and `upper`, in ascending order; their ends are moved
-/// inwards where a root is not rational. Preconditions: as roots_in, but f may be a constant.
+/// The gaps between `lower`, the roots of f in [lower, upper] and `upper`, in ascending order; their ends are
+/// moved inwards where a root is not rational. Preconditions: as roots_in, but f may be a constant.
 std::vector<Gap> gaps_between_roots(const Univariate& f, const Rational& lower, const Rational& upper);
 
 /// The fraction of the smallest denominator in [lower, upper]. Precondition: lower <= upper.

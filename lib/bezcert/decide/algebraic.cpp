@@ -57,8 +57,8 @@ AlgebraicSigns algebraic_signs(const Polynomial<Integer>& n, int wanted, const S
   std::size_t bits_of_n = 0;
   for (const Integer& c : n.coefficients) bits_of_n += mpz_sizeinbase(c.backend().data(), 2);
   if (bits_of_n > budget_bits / 16) {
-    result.exhausted = "algebra bits " + std::to_string(budget_bits) + " (N has " + std::to_string(bits_of_n) +
-                       " bits, to be factored within a sixteenth of that)";
+    result.exhausted = "algebra bits " + std::to_string(budget_bits) + " (N has " +
+                       std::to_string(bits_of_n) + " bits, to be factored within a sixteenth of that)";
     return result;
   }
   const auto factors = irreducible_factors(powers);

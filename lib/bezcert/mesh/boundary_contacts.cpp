@@ -66,6 +66,10 @@ class BoundaryCheck {
     // reported.
     if (begin(a) == begin(b) || end(a) == end(b)) return;
     const Joints joints{end(a) == begin(b), begin(a) == end(b)};
+    // Of the many edges at a vertex where parts touch only those of one part are compared: it is an obstacle
+    // already.
+    if (joints.end_to_begin && fans_.bad[end(a)] && fans_.next_boundary[a] != b) return;
+    if (joints.begin_to_end && fans_.bad[begin(a)] && fans_.next_boundary[b] != a) return;
     const ContactResult result = find_contact(curve(a), curve(b), joints, budget_);
     if (result.status == ContactStatus::none) return;
     if (result.status == ContactStatus::open) return open(a, b, result.exhausted);
@@ -256,7 +260,11 @@ class BoundaryCheck {
     result.message = edge_text(a) + " meets " + edge_text(b) +
                      (contact.along_a_piece ? " along a piece near " : " near ") + text_of(where) + " (" +
                      range(contact.first) + " and " + range(contact.second) + ")";
-    result.hint = "boundary edges cross or touch: parts of the mesh overlap there, or a gap is closed";
+    result.hint =
+        contact.along_a_piece
+            ? "sides of a crack or of parts that do not match: corners of one side lie inside edges of the "
+              "other (hanging nodes), or the parts overlap"
+            : "boundary edges cross or touch: parts of the mesh overlap there, or a gap is closed";
     add(std::move(result));
   }
 

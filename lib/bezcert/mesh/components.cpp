@@ -46,9 +46,10 @@ class ComponentCheck {
   // Two components overlap if and only if the outer loop of one lies in the other (docs/mesh.md): one vertex
   // tells.
   void check_pairs() {
+    for (const BoundaryLoop& loop : loops_) loop_boxes_.push_back(box_of(loop));
     std::vector<Box> boxes;
     for (std::size_t component = 0; component < components_.count; ++component) {
-      boxes.push_back(box_of(loops_[outer_[component]]));
+      boxes.push_back(loop_boxes_[outer_[component]]);
     }
     for_overlapping_boxes(boxes, [&](std::size_t a, std::size_t b) {
       if (!is_inside(a, b)) is_inside(b, a);
@@ -56,11 +57,12 @@ class ComponentCheck {
     });
   }
 
-  Box box_of(const BoundaryLoop& loop) const {
+  Box box_of(const BoundaryLoop& loop) {
     const RoundingScope scope;
-    Box box = edges_.box(loop.uses[0]);
-    for (const EdgeUse use : loop.uses) {
-      const Box other = edges_.box(use);
+    std::vector<Box>& each = edge_boxes_.emplace_back();
+    for (const EdgeUse use : loop.uses) each.push_back(edges_.box(use));
+    Box box = each[0];
+    for (const Box& other : each) {
       box = {std::min(box.x_low, other.x_low), std::max(box.x_high, other.x_high),
              std::min(box.y_low, other.y_low), std::max(box.y_high, other.y_high)};
     }
@@ -73,8 +75,17 @@ class ComponentCheck {
     const std::uint32_t vertex = gluing_.begin[there];
     const Point point = edges_.point(vertex);
     int winding = 0;
+    const Interval x = to_interval(point.x), y = to_interval(point.y);
     for (const std::size_t loop : loops_of_[outer]) {
-      for (const EdgeUse use : loops_[loop].uses) {
+      // Around a point outside its box a loop does not run, and an edge above, below or left of it misses the
+      // ray.
+      const Box& whole = loop_boxes_[loop];
+      if (whole.y_low > y.sup() || whole.y_high < y.inf() || whole.x_low > x.sup() || whole.x_high < x.inf())
+        continue;
+      for (std::size_t i = 0; i < loops_[loop].uses.size(); ++i) {
+        const Box& box = edge_boxes_[loop][i];
+        if (box.y_low > y.sup() || box.y_high < y.inf() || box.x_high < x.inf()) continue;
+        const EdgeUse use = loops_[loop].uses[i];
         const RoundingScope scope;
         DyadicCurve curve = edges_.curve(use);
         const std::optional<int> share = winding_share(curve, point);
@@ -109,7 +120,9 @@ class ComponentCheck {
   const std::vector<BoundaryLoop>& loops_;
   ObstacleList& obstacles_;
   std::vector<std::vector<std::size_t>> loops_of_;
-  std::vector<std::size_t> outer_;  // the counter-clockwise loop of each component
+  std::vector<Box> loop_boxes_;
+  std::vector<std::vector<Box>> edge_boxes_;  // of each loop
+  std::vector<std::size_t> outer_;            // the counter-clockwise loop of each component
 };
 
 }  // namespace

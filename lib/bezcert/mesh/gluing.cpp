@@ -3,6 +3,7 @@
 #include "bezcert/curve/same_curve.hpp"
 #include "bezcert/mesh/curve_parameters.hpp"
 #include "bezcert/mesh/edge_distance.hpp"
+#include "bezcert/mesh/element_frame.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -113,7 +114,25 @@ class Gluer {
         not_manifold(one);
       }
     }
-    if (single.size() == 2 && single[0].forward != single[1].forward) not_conforming(single);
+    if (single.size() == 2 && single[0].forward != single[1].forward && is_crack(single[0], single[1])) {
+      not_conforming(single);
+    }
+  }
+
+  // Two different curves between the same two vertices, with an element on each side: a common edge that went
+  // wrong where they are one shape or close to each other, as seen from one of the elements; else boundary.
+  bool is_crack(const Use& a, const Use& b) const {
+    const CurveNet<Integer> curve_a = forward_curve(a), curve_b = forward_curve(b);
+    const ElementFrame frame_a(edges_, a.use), frame_b(edges_, b.use);
+    bool small_a = true, small_b = true;
+    constexpr int samples = 16;
+    for (int i = 1; i < samples && (small_a || small_b); ++i) {
+      const Rational t(i, samples);
+      const Point p = point_at(curve_a, t), q = point_at(curve_b, t);
+      small_a = small_a && frame_a.is_small(p, q);
+      small_b = small_b && frame_b.is_small(p, q);
+    }
+    return small_a || small_b || have_same_image(curve_a, curve_b);
   }
 
   CurveNet<Integer> forward_curve(const Use& use) const {
@@ -161,6 +180,8 @@ class Gluer {
   }
 
   void not_conforming(const std::vector<Use>& uses) {
+    gluing_.meant.emplace_back(uses[0].use, uses[1].use);
+    gluing_.meant.emplace_back(uses[1].use, uses[0].use);
     MeshObstacle result = obstacle(MeshVerdict::non_conforming, uses);
     if (!obstacles_.wants(result.kind)) return obstacles_.add_unnamed(result.kind);
     const CurveNet<Integer> a = forward_curve(uses[0]), b = forward_curve(uses[1]);

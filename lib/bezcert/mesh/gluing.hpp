@@ -3,8 +3,9 @@
 // Uses of an edge are grouped by their two end vertices (a counting sort: linear), and within a group by
 // being the same curve (same_curve.hpp). Two uses of one curve in opposite directions are glued. Three or
 // more, or two in the same direction, are non_manifold. Two uses that are left alone in their group in
-// opposite directions have different curves: non_conforming. What else is left alone is boundary.
-// Definitions: docs/mesh.md, "Gluing".
+// opposite directions have different curves: non_conforming, if these are close to each other or of one shape
+// (a crack; far apart they bound a hole or the whole). What else is left alone is boundary. Definitions:
+// docs/mesh.md, "Gluing".
 #pragma once
 
 #include "bezcert/mesh/obstacle.hpp"
@@ -20,6 +21,9 @@ struct Gluing {
   std::vector<EdgeUse> twin;
   /// Uses that an obstacle names: they are neither glued nor a boundary.
   std::vector<bool> faulty;
+  /// Pairs of faulty uses of which the second begins where the first ends, and which were to be glued there:
+  /// around that vertex their elements are neighbours.
+  std::vector<std::pair<EdgeUse, EdgeUse>> meant;
 
   std::uint32_t end(const MeshEdges& edges, EdgeUse use) const { return begin[edges.next(use)]; }
   bool is_boundary(EdgeUse use) const { return twin[use] == no_edge; }

@@ -10,9 +10,9 @@
 
 namespace bezcert {
 
-/// Looks at vertices where two or more boundary edges begin. The short edges' inner nodes lie exactly on the
-/// long edge; or there is one, at most an eighth of the distance of the long edge's ends from it. Adds
-/// obstacles and marks the edges as faulty.
+/// Looks at vertices where two or more boundary edges begin. The short edges begin at an end of the long one
+/// and run exactly along it; or there are two of them, between its ends, close to it (element_frame.hpp).
+/// Adds obstacles and marks the edges as faulty.
 void find_hanging_nodes(const MeshEdges& edges, const CornersByVertex& corners, Gluing& gluing,
                         ObstacleList& obstacles);
 

@@ -4,6 +4,8 @@
 #include "bezcert/mesh/branches.hpp"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 
 namespace bezcert {
 namespace {
@@ -107,6 +109,30 @@ std::vector<EdgeUse> corners_at(const CornersByVertex& corners, std::uint32_t ve
           corners.corners.begin() + corners.start[vertex + 1]};
 }
 
+// Whether the fans of a vertex at which faulty edges end are several parts, even if the edges that were meant
+// to be glued join them. A faulty edge without a partner may belong anywhere: then nothing is said.
+bool is_pinched(const MeshEdges& edges, const Gluing& gluing, const std::map<EdgeUse, EdgeUse>& meant,
+                const std::vector<Fan>& fans) {
+  std::vector<std::size_t> part(fans.size());
+  std::iota(part.begin(), part.end(), std::size_t{0});
+  std::vector<bool> leaves_alone(fans.size(), true);
+  for (std::size_t i = 0; i < fans.size(); ++i) {
+    const EdgeUse arriving = edges.previous(fans[i].corners.back());
+    if (fans[i].closed || !gluing.faulty[arriving]) continue;
+    const auto partner = meant.find(arriving);
+    if (partner == meant.end()) return false;
+    for (std::size_t j = 0; j < fans.size(); ++j) {
+      if (fans[j].corners.front() != partner->second) continue;
+      leaves_alone[j] = false;
+      std::replace(part.begin(), part.end(), part[i], part[j]);
+    }
+  }
+  for (std::size_t j = 0; j < fans.size(); ++j) {
+    if (!fans[j].closed && gluing.faulty[fans[j].corners.front()] && leaves_alone[j]) return false;
+  }
+  return std::any_of(part.begin(), part.end(), [&](std::size_t one) { return one != part[0]; });
+}
+
 }  // namespace
 
 std::vector<Fan> fans_of(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
@@ -149,6 +175,7 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
   for (EdgeUse use = 0; use < edges.count(); ++use) {
     if (gluing.faulty[use]) result.bad[gluing.begin[use]] = result.bad[gluing.end(edges, use)] = true;
   }
+  const std::map<EdgeUse, EdgeUse> meant(gluing.meant.begin(), gluing.meant.end());
   for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
     if (corners.start[vertex] == corners.start[vertex + 1]) continue;
     const std::vector<Fan> fans = fans_of(edges, gluing, corners, vertex);
@@ -157,7 +184,8 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
       if (fan.closed || gluing.faulty[arriving] || gluing.faulty[fan.corners.front()]) continue;
       result.next_boundary[arriving] = fan.corners.front();
     }
-    if (fans.size() == 1 || result.bad[vertex]) continue;
+    if (fans.size() == 1) continue;
+    if (result.bad[vertex] && !is_pinched(edges, gluing, meant, fans)) continue;
     result.bad[vertex] = true;
     if (!obstacles.wants(MeshVerdict::non_manifold)) {
       obstacles.add_unnamed(MeshVerdict::non_manifold);
