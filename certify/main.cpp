@@ -91,12 +91,13 @@ void add_budget(CLI::App& command, Budget& budget) {
               return value;
             };
             budget.pieces = number(text.substr(0, comma), 1, 1000000);
-            if (comma == text.size()) return;
-            budget.algebra_bits = number(text.substr(comma + 1), 0, 1000000000000);
+            // In proportion, and none with one piece: the coefficients alone.
+            budget.algebra_bits = comma < text.size() ? number(text.substr(comma + 1), 0, 1000000000000)
+                                                      : (budget.pieces - 1) << 13;
             budget.contact.algebra_bits = budget.algebra_bits;
           },
           "pieces of the subdivision of one element (default 4096), and bits of the largest resultant that "
-          "algebra is asked about (default 33554432; 0: no algebra)")
+          "algebra is asked about (default 8192 (PIECES - 1); 0: no algebra)")
       ->option_text("PIECES[,BITS]");
 }
 

@@ -20,7 +20,7 @@ const std::string missing = "no-such-file.msh";
 
 TEST_CASE("each exit code is shown") {
   const Folder folder;
-  const auto code = [&](const std::string& mesh) { return folder.run({"check", mesh, "--budget=1,0"}).code; };
+  const auto code = [&](const std::string& mesh) { return folder.run({"check", mesh, "--budget=1"}).code; };
   CHECK(code(good) == 0);
   CHECK(code(folded) == 1);
   CHECK(code(missing) == 2);
@@ -31,7 +31,7 @@ TEST_CASE("each exit code is shown") {
 
 TEST_CASE("an undecided element says which budget ran out") {
   const Folder folder;
-  const Outcome outcome = folder.run({"check", open_element, "--budget=1,0", "--criteria=none"});
+  const Outcome outcome = folder.run({"check", open_element, "--budget=1", "--criteria=none"});
   CHECK(outcome.code == 3);
   CHECK(outcome.err.empty());
   CHECK(outcome.out.find("undecided") != std::string::npos);
@@ -57,7 +57,7 @@ TEST_CASE("of several meshes the worst code counts, in any order: 2, 1, 3, 0") {
       }
     }
     do {
-      std::vector<std::string> arguments = {"check", "--budget=1,0", "--criteria=none"};
+      std::vector<std::string> arguments = {"check", "--budget=1", "--criteria=none"};
       for (const std::size_t i : chosen) arguments.push_back(meshes[i].first);
       INFO("certify" << joined(arguments));
       CHECK(folder.run(arguments).code == expected);
@@ -71,7 +71,7 @@ TEST_CASE("of several meshes the worst code counts, in any order: 2, 1, 3, 0") {
 TEST_CASE("option --fail-on=invalid lets undecided elements pass and nothing else") {
   const Folder folder;
   const auto code = [&](const std::string& mesh, const std::string& fail_on) {
-    return folder.run({"check", mesh, "--budget=1,0", "--fail-on=" + fail_on}).code;
+    return folder.run({"check", mesh, "--budget=1", "--fail-on=" + fail_on}).code;
   };
   CHECK(code(good, "invalid") == 0);
   CHECK(code(folded, "invalid") == 1);

@@ -41,7 +41,7 @@ struct Budget {
   int depth = 96;
   /// The largest resultant that algebra is asked about, in bits: degree times bits of a coefficient. 0: no
   /// algebra.
-  std::size_t algebra_bits = std::size_t{1} << 25;
+  std::size_t algebra_bits = default_algebra_bits;
   ContactBudget contact;
 };
 
