@@ -27,7 +27,8 @@ class Reader {
     read_shared_nodes(root);
     if (const JsonValue* curves = root.find("curves")) curves_of(*curves);
     if (root.find("curves") != nullptr && root.find("elements") == nullptr) {
-      fail(root, "the file has no \"elements\", only curves: expected a mesh here, and curves after --domain");
+      fail(root,
+           "the file has no \"elements\", only curves: expected a mesh here, and curves after --domain");
     }
     const JsonValue& elements = required(root, "elements", "the file");
     expect(elements, Kind::array, "\"elements\"");
