@@ -258,6 +258,16 @@ Bivariate quotient(const Bivariate& f, const Bivariate& g) {
   return to_bivariate(result.value, context);
 }
 
+std::size_t longest_coefficient(const Bivariate& f) {
+  std::size_t bits = 1;
+  for (const Univariate& row : f.by_v) {
+    for (const Integer& c : row.coefficients) {
+      bits = std::max(bits, mpz_sizeinbase(c.backend().data(), 2));
+    }
+  }
+  return bits;
+}
+
 int resultant_degree_bound(const Bivariate& f, const Bivariate& g) {
   return f.degree_u() * g.degree_v() + g.degree_u() * f.degree_v();
 }

@@ -48,6 +48,9 @@ Bivariate gcd(const Bivariate& f, const Bivariate& g);
 /// The quotient up to a constant factor. Precondition: g divides f over the rationals.
 Bivariate quotient(const Bivariate& f, const Bivariate& g);
 
+/// Bits of the longest coefficient, at least 1.
+std::size_t longest_coefficient(const Bivariate& f);
+
 /// A bound of the degree in u of resultant_v.
 int resultant_degree_bound(const Bivariate& f, const Bivariate& g);
 

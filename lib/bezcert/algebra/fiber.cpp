@@ -113,7 +113,7 @@ class Fiber::Implementation {
       // v + c = 0.
       FieldElement root(divisor_[0]);
       fmpq_poly_neg(root.get(), root.get());
-      if (root.length() <= 1) return exactly(root.coefficient(0));
+      if (root.length() <= 1) return rational_root(root.coefficient(0));
     }
     if (alpha_.is_rational()) {
       std::vector<Rational> coefficients;
@@ -142,8 +142,6 @@ class Fiber::Implementation {
  private:
   // Fields of larger degree are not asked for the polynomial of v: it would be long and no easier to read.
   static constexpr int largest_norm = 16;
-
-  static RealRoot exactly(const Rational& x) { return with_minimal_polynomial({Univariate(), x, x}); }
 
   // An interval that holds the smallest counted root and no other root of the divisor.
   RealRoot isolated(const FieldElement& low, const FieldElement& high, Ends ends, const Rational& width) {

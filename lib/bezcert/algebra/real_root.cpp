@@ -1,5 +1,6 @@
 #include "bezcert/algebra/real_root.hpp"
 
+#include "bezcert/bernstein/halve.hpp"
 #include "bezcert/bernstein/multinomial.hpp"
 
 #include <algorithm>
@@ -59,19 +60,6 @@ int sign_changes(const std::vector<Integer>& values) {
     last = s;
   }
   return changes;
-}
-
-// De Casteljau at 1/2; both halves multiplied by 2^degree.
-std::pair<std::vector<Integer>, std::vector<Integer>> halve(const std::vector<Integer>& values) {
-  const std::size_t count = values.size();
-  std::vector<Integer> left(count);
-  std::vector<Integer> right = values;
-  for (std::size_t level = 0; level < count; ++level) {
-    left[level] = right[0] << static_cast<unsigned>(count - 1 - level);
-    for (std::size_t i = 0; i + 1 < count - level; ++i) right[i] += right[i + 1];
-  }
-  for (std::size_t i = 0; i < count; ++i) right[i] <<= static_cast<unsigned>(i);
-  return {std::move(left), std::move(right)};
 }
 
 // Divides by the largest common power of two: a positive factor does not matter.
@@ -184,11 +172,12 @@ Rational simplest_between(const Rational& lower, const Rational& upper) {
 
 Rational root_of_linear(const Univariate& f) { return Rational(-f.coefficients[0], f.coefficients[1]); }
 
+RealRoot rational_root(const Rational& x) {
+  return {Univariate({Integer(-numerator(x)), Integer(denominator(x))}), x, x};
+}
+
 RealRoot with_minimal_polynomial(RealRoot root) {
-  if (root.is_rational()) {
-    root.polynomial = Univariate({Integer(-numerator(root.lower)), Integer(denominator(root.lower))});
-    return root;
-  }
+  if (root.is_rational()) return rational_root(root.lower);
   for (auto& [factor, multiplicity] : irreducible_factors(root.polynomial)) {
     // A factor vanishes at the root exactly if its sign changes over the interval.
     if (sign_at(factor, root.lower) == sign_at(factor, root.upper)) continue;

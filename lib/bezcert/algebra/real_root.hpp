@@ -24,6 +24,15 @@ struct RealRoot {
   void refine_to(const Rational& width);
 };
 
+/// A rational number, with its minimal polynomial.
+RealRoot rational_root(const Rational& x);
+
+/// Isolating intervals that are shown as evidence are at most this wide.
+inline const Rational& shown_width() {
+  static const Rational width(Integer(1), Integer(1) << 40);
+  return width;
+}
+
 /// The different roots in the closed interval [lower, upper], in ascending order; their intervals lie in
 /// [lower, upper] and are disjoint except for common end points. Precondition: f is square-free (and not 0),
 /// lower < upper.

@@ -10,14 +10,6 @@ namespace {
 
 using Point = std::array<Rational, 2>;
 
-// Isolating intervals that are shown are at most this wide.
-const Rational& shown_width() {
-  static const Rational width(Integer(1), Integer(1) << 40);
-  return width;
-}
-
-RealRoot exactly(const Rational& x) { return with_minimal_polynomial({Univariate(), x, x}); }
-
 // 1 - x.
 RealRoot reflected(const RealRoot& x) {
   Univariate composed;
@@ -39,7 +31,7 @@ std::vector<Edge> edges_of(Domain domain) {
 
 PlanarPoint point_on(const Edge& edge, RealRoot t) {
   const auto coordinate = [&](std::size_t i) {
-    if (edge.from[i] == edge.to[i]) return exactly(edge.from[i]);
+    if (edge.from[i] == edge.to[i]) return rational_root(edge.from[i]);
     return edge.from[i].is_zero() ? t : reflected(t);
   };
   return {coordinate(0), coordinate(1)};
@@ -86,7 +78,7 @@ class Search {
     for (const Edge& edge : edges_of(domain_)) {
       const Univariate e = along(h_, edge.from, edge.to);
       if (e.is_zero()) {
-        found(1, point_on(edge, exactly(Rational(1, 2))));
+        found(1, point_on(edge, rational_root(Rational(1, 2))));
         continue;
       }
       for (RealRoot& root : roots_in(square_free_part(e), 0, 1)) {
@@ -110,7 +102,7 @@ class Search {
       result_.column_is_u = false;
       result_.cell = {0, top(exact.upper)};
       exact.refine_to(shown_width());
-      found(1, {exact, exactly(v)});
+      found(1, {exact, rational_root(v)});
       return;
     }
   }
@@ -125,7 +117,7 @@ class Search {
       result_.cell = {gap.lower, gap.upper};
       RealRoot v = with_minimal_polynomial(std::move(roots.front()));
       v.refine_to(shown_width());
-      found(1, {exactly(u), std::move(v)});
+      found(1, {rational_root(u), std::move(v)});
       return;
     }
   }

@@ -8,11 +8,6 @@
 namespace bezcert {
 namespace {
 
-const Rational& shown_width() {
-  static const Rational width(Integer(1), Integer(1) << 40);
-  return width;
-}
-
 // Power coefficients of a homogeneous curve, all of one length.
 struct Powers {
   Univariate x, y, w;
@@ -36,16 +31,6 @@ Bivariate difference(const Univariate& p1, const Univariate& w1, const Univariat
 }
 
 bool is_constant(const Bivariate& f) { return f.degree_u() <= 0 && f.degree_v() <= 0; }
-
-std::size_t longest_coefficient(const Bivariate& f) {
-  std::size_t bits = 1;
-  for (const Univariate& row : f.by_v) {
-    for (const Integer& c : row.coefficients) {
-      bits = std::max(bits, mpz_sizeinbase(c.backend().data(), 2));
-    }
-  }
-  return bits;
-}
 
 ParameterRange range_of(const RealRoot& root) { return {root.lower, root.upper}; }
 

@@ -1,37 +1,18 @@
 #include "bezcert/curve/dyadic_curve.hpp"
 
+#include "bezcert/bernstein/halve.hpp"
+
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 namespace bezcert {
 namespace {
 
-// De Casteljau at 1/2. Intervals are halved; integers carry 2^degree instead.
-template <class T>
-std::pair<std::vector<T>, std::vector<T>> halve(const std::vector<T>& values) {
-  const std::size_t count = values.size();
-  std::vector<T> left(count);
-  std::vector<T> right = values;
-  for (std::size_t level = 0; level < count; ++level) {
-    left[level] = right[0];
-    if constexpr (!std::is_same_v<T, Interval>) left[level] <<= static_cast<unsigned>(count - 1 - level);
-    for (std::size_t i = 0; i + 1 < count - level; ++i) {
-      right[i] += right[i + 1];
-      if constexpr (std::is_same_v<T, Interval>) right[i] = right[i] * Interval(0.5);
-    }
-  }
-  if constexpr (!std::is_same_v<T, Interval>) {
-    for (std::size_t i = 0; i < count; ++i) right[i] <<= static_cast<unsigned>(i);
-  }
-  return {std::move(left), std::move(right)};
-}
-
 template <class T>
 std::pair<CurveNet<T>, CurveNet<T>> halve(const CurveNet<T>& net) {
-  auto [xl, xr] = halve(net.x);
-  auto [yl, yr] = halve(net.y);
-  auto [wl, wr] = halve(net.w);
+  auto [xl, xr] = bezcert::halve(net.x);
+  auto [yl, yr] = bezcert::halve(net.y);
+  auto [wl, wr] = bezcert::halve(net.w);
   return {{std::move(xl), std::move(yl), std::move(wl)}, {std::move(xr), std::move(yr), std::move(wr)}};
 }
 

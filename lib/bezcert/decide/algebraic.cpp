@@ -9,12 +9,7 @@ using Point = std::array<Rational, 2>;
 
 // Bits of the largest resultant that zero_set may compute of h: degree times size of a coefficient.
 std::size_t resultant_bits(const Bivariate& h) {
-  std::size_t longest = 1;
-  for (const Univariate& row : h.by_v) {
-    for (const Integer& c : row.coefficients) {
-      longest = std::max(longest, mpz_sizeinbase(c.backend().data(), 2));
-    }
-  }
+  const std::size_t longest = longest_coefficient(h);
   const int smaller = std::min(h.degree_u(), h.degree_v());
   if (smaller <= 0) return longest;
   return static_cast<std::size_t>(zero_set_degree(h)) * static_cast<std::size_t>(2 * smaller - 1) * longest;

@@ -126,6 +126,13 @@ ElementVerdict verdict_of(const SignSearch& search) {
   return search.zero() ? ElementVerdict::degenerate : ElementVerdict::regular;
 }
 
+// Two independent computations of one sign: evidence that does not hold is never given out.
+Witness checked_witness(const Element& element, Parameter parameter, int expected) {
+  Witness witness = make_witness(element, std::move(parameter));
+  if (sign(witness.determinant) != expected) throw std::logic_error("decide: a witness does not hold");
+  return witness;
+}
+
 Parameter parameter_of(const Element& element, const std::array<Rational, 2>& uv) {
   if (!element.is_triangle()) return {uv[0], uv[1]};
   return {Rational(1 - uv[0] - uv[1]), uv[0], uv[1]};
@@ -159,7 +166,7 @@ void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearc
   const bool open = decision.verdict == ElementVerdict::undecided;
   if (std::all_of(n.coefficients.begin(), n.coefficients.end(),
                   [](const Integer& c) { return c.is_zero(); })) {
-    const RealRoot third = {Univariate({Integer(-1), Integer(3)}), Rational(1, 3), Rational(1, 3)};
+    const RealRoot third = rational_root(Rational(1, 3));
     decision.zero = AlgebraicZero{{third, third}, 2};
     return;
   }
@@ -174,9 +181,7 @@ void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearc
   decision.open.clear();
   decision.sign_proof = "algebra";
   const auto witness_at = [&](const std::array<Rational, 2>& uv, int expected) {
-    Witness witness = make_witness(element, parameter_of(element, uv));
-    if (sign(witness.determinant) != expected) throw std::logic_error("decide: a witness does not hold");
-    return witness;
+    return checked_witness(element, parameter_of(element, uv), expected);
   };
   if (signs.opposite) {
     decision.verdict = ElementVerdict::folded;
@@ -200,10 +205,7 @@ void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearc
 // Dyadic witnesses that the subdivision met, where algebra has not given others.
 void add_witnesses(const Forms& forms, const SignSearch& search, Decision& decision) {
   const auto witness_at = [&](const CornerOfPiece& place, int expected) {
-    Witness witness = make_witness(forms.element(), search.tree().corner(place.piece, place.corner));
-    // Two independent computations of one sign: evidence that does not hold is never given out.
-    if (sign(witness.determinant) != expected) throw std::logic_error("decide: a witness does not hold");
-    return witness;
+    return checked_witness(forms.element(), search.tree().corner(place.piece, place.corner), expected);
   };
   if (!decision.witness && search.negative()) decision.witness = witness_at(*search.negative(), -1);
   if (!decision.witness && search.zero() && decision.verdict != ElementVerdict::regular) {
@@ -219,11 +221,8 @@ void add_witnesses(const Forms& forms, const SignSearch& search, Decision& decis
 }
 
 PlanarPoint point_of(const Parameter& parameter) {
-  const auto exactly = [](const Rational& x) {
-    return RealRoot{Univariate({Integer(-numerator(x)), Integer(denominator(x))}), x, x};
-  };
   const std::size_t first = parameter.size() == 3 ? 1 : 0;
-  return {exactly(parameter[first]), exactly(parameter[first + 1])};
+  return {rational_root(parameter[first]), rational_root(parameter[first + 1])};
 }
 
 // The bounds of the subdivision, with what algebra knows.

@@ -4,6 +4,7 @@
 // their halves come out multiplied by 2^degree (`bisection_shift`), one factor for all coefficients.
 #pragma once
 
+#include "bezcert/bernstein/halve.hpp"
 #include "bezcert/bernstein/polynomial.hpp"
 #include "bezcert/number/interval.hpp"
 
@@ -18,37 +19,6 @@ int bisection_shift(Shape shape, int direction) {
   if (shape.domain == Domain::square && direction == 1) return shape.q;
   return shape.p;
 }
-
-namespace detail {
-
-// `values` at first, first + stride, ...: the left half replaces them, the right half goes to `right`.
-template <class T>
-void bisect_line(std::vector<T>& left, std::vector<T>& right, std::size_t first, std::size_t stride,
-                 std::size_t count, int shift) {
-  const auto place = [&](std::size_t i) { return first + i * stride; };
-  // Works in `right`, from the left end: after level k, right[0 .. count-1-k] are the points of that level.
-  for (std::size_t i = 0; i < count; ++i) right[place(i)] = left[place(i)];
-  for (std::size_t level = 0; level < count; ++level) {
-    left[place(level)] = right[place(0)];
-    for (std::size_t i = 0; i + 1 < count - level; ++i) {
-      T& value = right[place(i)];
-      value += right[place(i + 1)];
-      if constexpr (std::is_same_v<T, Interval>) value = value * Interval(0.5);
-    }
-    // Points of level k carry 2^k: bring left[k] to 2^shift.
-    if constexpr (!std::is_same_v<T, Interval>) {
-      left[place(level)] <<= static_cast<unsigned>(shift) - static_cast<unsigned>(level);
-    }
-  }
-  if constexpr (!std::is_same_v<T, Interval>) {
-    // right[i] was changed count-1-i times.
-    for (std::size_t i = 0; i < count; ++i) {
-      right[place(i)] <<= static_cast<unsigned>(shift) - static_cast<unsigned>(count - 1 - i);
-    }
-  }
-}
-
-}  // namespace detail
 
 /// The two halves of a polynomial. Square: cut at u = 1/2 (direction 0) or v = 1/2 (1), lower half first.
 /// Triangle (A, B, C): cut from C to the middle M of AB into (C, A, M) and (B, C, M), so that the next cut
