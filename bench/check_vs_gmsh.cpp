@@ -12,14 +12,13 @@
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
 #include "cross_check.hpp"
+#include "plate.hpp"
 
 #include <gmsh.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 
 using namespace bezcert;
@@ -28,31 +27,8 @@ namespace {
 
 double best_of_three(const std::function<void()>& work) {
   double best = 1e300;
-  for (int k = 0; k < 3; ++k) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
+  for (int k = 0; k < 3; ++k) best = std::min(best, seconds(work));
   return best;
-}
-
-// A square plate of side 10 with 3 x 3 round holes.
-void make_plate(double size) {
-  gmsh::model::add("plate");
-  const int plate = gmsh::model::occ::addRectangle(0, 0, 0, 10, 10);
-  std::vector<std::pair<int, int>> holes;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      holes.emplace_back(2, gmsh::model::occ::addDisk(2 + 3 * i, 2 + 3 * j, 0, 0.6 + 0.1 * i, 0.6 + 0.1 * i));
-    }
-  }
-  std::vector<std::pair<int, int>> cut;
-  std::vector<std::vector<std::pair<int, int>>> origin;
-  gmsh::model::occ::cut({{2, plate}}, holes, cut, origin);
-  gmsh::model::occ::synchronize();
-  gmsh::option::setNumber("Mesh.MeshSizeMin", size);
-  gmsh::option::setNumber("Mesh.MeshSizeMax", size);
-  gmsh::model::mesh::generate(2);
 }
 
 struct Outcome {
@@ -138,8 +114,7 @@ int main(int argc, char** argv) {
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.NumThreads", 1);
   gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);
-  // The plate without holes has area about 82; an equilateral triangle of side h has area 0.433 h^2.
-  make_plate(std::sqrt(82 / (0.433 * target)));
+  make_plate(target);
   const std::string path = (std::filesystem::temp_directory_path() / "bezcert_check_vs_gmsh.msh").string();
   for (const int order : {2, 3, 4}) run_order(order, path);
   std::filesystem::remove(path);

@@ -1,5 +1,6 @@
 #include "check.hpp"
 
+#include "bezcert/certificate/certificate.hpp"
 #include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
@@ -11,6 +12,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace bezcert::certify {
 namespace {
@@ -39,12 +41,36 @@ DomainSummary check_domain_of(const Mesh& mesh, const std::string& file, std::sp
   return result;
 }
 
+// What a certificate says of its elements file: the input itself if `verifier` reads it, or the file written
+// for it.
+CertificateHeader header_of(const std::string& input, const std::string& bytes, const std::string& digest,
+                            const Mesh& mesh, const CheckOptions& options) {
+  CertificateHeader header{digest, mesh.basis_name, mesh.numbers, mesh.elements.size()};
+  const bool is_json = bytes[bytes.find_first_not_of(" \t\r\n")] == '{';
+  if (!options.elements.empty()) header.elements_sha256 = sha256(read_file(options.elements));
+  if (!options.elements.empty() || is_json) {
+    header.basis = "mixed";
+    header.numbers = Numbers::decimal;
+  } else if (mesh.elements.front().line == 0) {
+    throw InputError(input, 0,
+                     "is binary, which verifier does not read: expected --elements=FILE beside --certificate "
+                     "(the mesh as exact .bez.json), or an ASCII .msh");
+  }
+  return header;
+}
+
 Summary check_mesh(const std::string& input, const CheckOptions& options, std::span<const InputCurve> curves,
-                   Report& report) {
+                   Report& report, std::ostream* certificate) {
   const auto start = std::chrono::steady_clock::now();
   const std::string bytes = read_file(input);
   const Mesh mesh = read_mesh(input, bytes, options.read);
-  report.begin(input, sha256(bytes), mesh);
+  const std::string digest = sha256(bytes);
+  if (!options.elements.empty()) {
+    write_file(options.elements, [&](std::ostream& stream) { write_bez_json(stream, mesh); });
+  }
+  std::optional<CertificateWriter> proof;
+  if (certificate != nullptr) proof.emplace(*certificate, header_of(input, bytes, digest, mesh, options));
+  report.begin(input, digest, mesh);
 
   Summary summary;
   summary.criteria = options.criteria;
@@ -58,6 +84,7 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, std::s
     summary.add(checked);
     states.push_back(state_of(checked.decision));
     report.element(mesh, i, element, checked);
+    if (proof) proof->element(element, checked.decision);
     if (std::any_of(checked.criteria.begin(), checked.criteria.end(),
                     [](const CheckedCriterion& one) { return one.is_defect(); })) {
       write_reproducer(input, mesh.elements[i], element, checked);
@@ -65,6 +92,13 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, std::s
     progress.done(i + 1);
   }
   summary.mesh = examine_mesh(mesh, states, {options.budget.contact, std::nullopt});
+  if (proof) {
+    proof->mesh(mesh, summary.mesh);
+    if (proof->without_evidence() > 0) {
+      std::cerr << "certify: " << options.certificate << ": " << proof->without_evidence()
+                << " verdicts without evidence: it would exceed the limits of the format\n";
+    }
+  }
   if (!options.domain.empty()) summary.domain = check_domain_of(mesh, options.domain, curves);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.end(mesh, summary);
@@ -91,29 +125,63 @@ int exit_code_of(const Summary& summary, const CheckOptions& options) {
   return exit_certified;
 }
 
-int check_all(const CheckOptions& options, std::ostream& stream) {
+int check_all(const CheckOptions& options, std::ostream& stream, std::ostream* certificate) {
   const auto report = options.format == "jsonl" ? make_jsonl_report(stream) : make_text_report(stream);
   std::vector<InputCurve> curves;
   if (!options.domain.empty()) curves = read_bez_json_curves(options.domain, read_file(options.domain));
   int code = exit_certified;
   for (const std::string& input : options.meshes) {
-    code = worse(code, exit_code_of(check_mesh(input, options, curves, *report), options));
+    code = worse(code, exit_code_of(check_mesh(input, options, curves, *report, certificate), options));
   }
   return code;
+}
+
+// No output may be an input or another output.
+void check_outputs(const CheckOptions& options) {
+  if (options.meshes.size() > 1 && !(options.certificate.empty() && options.elements.empty())) {
+    throw InputError(options.certificate.empty() ? options.elements : options.certificate, 0,
+                     "is about one mesh, but there are " + std::to_string(options.meshes.size()) +
+                         ": expected one MESH with --certificate or --elements");
+  }
+  const std::pair<const char*, const std::string*> outputs[] = {
+      {"-o", &options.output}, {"--certificate", &options.certificate}, {"--elements", &options.elements}};
+  for (const auto& [option, output] : outputs) {
+    if (output->empty()) continue;
+    std::error_code error;
+    for (const std::string& input : options.meshes) {
+      if (std::filesystem::equivalent(input, *output, error)) {
+        throw InputError(*output, 0, std::string("is an input: expected another file for ") + option);
+      }
+    }
+    for (const auto& [other_option, other] : outputs) {
+      if (other == output) break;
+      const bool same = *other == *output || std::filesystem::equivalent(*other, *output, error);
+      if (same && std::filesystem::status(*output, error).type() != std::filesystem::file_type::character) {
+        throw InputError(*output, 0, std::string("is given twice: expected different files for ") +
+                                         other_option + " and " + option);
+      }
+    }
+  }
 }
 
 }  // namespace
 
 int check(const CheckOptions& options) {
-  if (options.output.empty()) return check_all(options, std::cout);
-  for (const std::string& input : options.meshes) {
-    std::error_code error;
-    if (std::filesystem::equivalent(input, options.output, error)) {
-      throw InputError(options.output, 0, "is an input: expected another file for -o");
-    }
-  }
+  check_outputs(options);
   int code = exit_certified;
-  write_file(options.output, [&](std::ostream& stream) { code = check_all(options, stream); });
+  const auto run = [&](std::ostream* certificate) {
+    if (options.output.empty()) {
+      code = check_all(options, std::cout, certificate);
+    } else {
+      write_file(options.output,
+                 [&](std::ostream& stream) { code = check_all(options, stream, certificate); });
+    }
+  };
+  if (options.certificate.empty()) {
+    run(nullptr);
+  } else {
+    write_file(options.certificate, [&](std::ostream& stream) { run(&stream); });
+  }
   return code;
 }
 

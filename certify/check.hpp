@@ -18,6 +18,8 @@ struct CheckOptions {
   std::string format = "text";  ///< "text" or "jsonl"
   std::string output;           ///< empty: standard output
   std::string domain;           ///< a file of curves the meshes are to conform to; empty: none
+  std::string certificate;      ///< where to write the proof for `verifier`; empty: none. One mesh only.
+  std::string elements;         ///< where to write the mesh as exact .bez.json; empty: none. One mesh only.
   bool fail_on_undecided = true;
   Budget budget;
 };

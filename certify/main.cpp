@@ -133,6 +133,14 @@ int run(int argc, char** argv) {
       ->add_option("--domain", check_options.domain,
                    "curves (.bez.json) that the mesh must conform to: each exactly covered by edges")
       ->option_text("CURVES");
+  check_command
+      ->add_option("--certificate", check_options.certificate,
+                   "write a proof of every verdict to FILE, for `verifier`: of one mesh")
+      ->option_text("FILE");
+  check_command
+      ->add_option("--elements", check_options.elements,
+                   "write the mesh exactly, as .bez.json, to FILE; a certificate is then about that file")
+      ->option_text("FILE");
   add_budget(*check_command, check_options.budget);
 
   ExplainOptions explain_options;

@@ -1,4 +1,4 @@
-// Runs the real certify in a folder of its own and keeps what it said.
+// Runs the real programs in a folder of its own and keeps what they said.
 #pragma once
 
 #include <fcntl.h>
@@ -82,6 +82,29 @@ class Folder {
   /// Runs certify here; standard output goes to `output` if given, memory is limited to `memory` bytes.
   Outcome run(const std::vector<std::string>& arguments, const std::string& output = "",
               rlim_t memory = RLIM_INFINITY) const {
+    return run_program(CERTIFY_PROGRAM, arguments, output, memory);
+  }
+
+  /// Runs verifier here.
+  Outcome verify(const std::string& elements, const std::string& certificate) const {
+    return run_program(VERIFIER_PROGRAM, {elements, certificate}, "", RLIM_INFINITY);
+  }
+
+  /// Becomes a program: for children.
+  [[noreturn]] static void execute(const std::vector<std::string>& arguments,
+                                   const char* program = CERTIFY_PROGRAM) {
+    std::vector<std::string> words = {program};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    ::execv(program, pointers.data());
+    ::_exit(127);
+  }
+
+ private:
+  Outcome run_program(const char* program, const std::vector<std::string>& arguments,
+                      const std::string& output, rlim_t memory) const {
     const std::string out = (path_ / "out").string();
     const std::string err = (path_ / "err").string();
     const pid_t child = ::fork();
@@ -92,7 +115,7 @@ class Folder {
       redirect(1, output.empty() ? out : output, O_WRONLY | O_CREAT | O_TRUNC);
       redirect(2, err, O_WRONLY | O_CREAT | O_TRUNC);
       if (::chdir((path_ / "work").c_str()) != 0) ::_exit(127);
-      execute(arguments);
+      execute(arguments, program);
     }
     int status = 0;
     REQUIRE(::waitpid(child, &status, 0) == child);
@@ -103,17 +126,6 @@ class Folder {
     return outcome;
   }
 
-  [[noreturn]] static void execute(const std::vector<std::string>& arguments) {
-    std::vector<std::string> words = {CERTIFY_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    ::execv(CERTIFY_PROGRAM, pointers.data());
-    ::_exit(127);
-  }
-
- private:
   static void limit_memory([[maybe_unused]] rlim_t bytes) {
     // A sanitizer needs terabytes of address space for its own tables.
 #if !defined(__SANITIZE_ADDRESS__)

@@ -6,10 +6,7 @@
 #include <algorithm>
 
 namespace bezcert {
-namespace {
-
-// Positive multiples of the Bernstein coefficients of f over [lower, upper], times the binomials: the sign
-// changes are the same. f(lower + (upper-lower) t) = sum a_k t^k, and t = s / (1 + s) turns it into the
+// f(lower + (upper-lower) t) = sum a_k t^k, and t = s / (1 + s) turns it into the
 // numerator sum a_k s^k (1+s)^(n-k), whose coefficients are the scaled Bernstein coefficients.
 std::vector<Integer> bernstein_over(const Univariate& f, const Rational& lower, const Rational& upper) {
   const std::size_t count = f.coefficients.size();
@@ -61,6 +58,8 @@ int sign_changes(const std::vector<Integer>& values) {
   }
   return changes;
 }
+
+namespace {
 
 // Divides by the largest common power of two: a positive factor does not matter.
 void shorten(std::vector<Integer>& values) {

@@ -33,6 +33,13 @@ inline const Rational& shown_width() {
   return width;
 }
 
+/// Positive multiples, by one common factor, of the Bernstein coefficients of f over [lower, upper] in f's
+/// own degree. Preconditions: f is not 0, lower < upper.
+std::vector<Integer> bernstein_over(const Univariate& f, const Rational& lower, const Rational& upper);
+
+/// The number of sign changes in a sequence, zeros left out.
+int sign_changes(const std::vector<Integer>& values);
+
 /// The different roots in the closed interval [lower, upper], in ascending order; their intervals lie in
 /// [lower, upper] and are disjoint except for common end points. Precondition: f is square-free (and not 0),
 /// lower < upper.

@@ -122,17 +122,23 @@ class Search {
 
 }  // namespace
 
+ContactEquations contact_equations(const CurveNet<Integer>& a, const CurveNet<Integer>& b, bool itself) {
+  const Powers first = powers_of(a), second = powers_of(b);
+  ContactEquations result{difference(first.x, first.w, second.x, second.w),
+                          difference(first.y, first.w, second.y, second.w)};
+  if (itself) {
+    const Bivariate diagonal({Univariate({Integer(0), Integer(1)}), Univariate({Integer(-1)})});
+    for (Bivariate* equation : {&result.f, &result.g}) {
+      if (!equation->is_zero()) *equation = quotient(*equation, diagonal);
+    }
+  }
+  return result;
+}
+
 AlgebraicContact contact_by_algebra(const CurveNet<Integer>& a, const CurveNet<Integer>& b, bool itself,
                                     Joints joints, const Strips& strips_s, const Strips& strips_t,
                                     std::size_t budget_bits) {
-  const Powers first = powers_of(a), second = powers_of(b);
-  Bivariate f = difference(first.x, first.w, second.x, second.w);
-  Bivariate g = difference(first.y, first.w, second.y, second.w);
-  if (itself) {
-    const Bivariate diagonal({Univariate({Integer(0), Integer(1)}), Univariate({Integer(-1)})});
-    if (!f.is_zero()) f = quotient(f, diagonal);
-    if (!g.is_zero()) g = quotient(g, diagonal);
-  }
+  auto [f, g] = contact_equations(a, b, itself);
   // The resultant's coefficients have about this many bits (Hadamard, up to logarithms).
   const std::size_t bits = static_cast<std::size_t>(std::max(resultant_degree_bound(f, g), 1)) *
                            (static_cast<std::size_t>(std::max(g.degree_v(), 0)) * longest_coefficient(f) +

@@ -17,6 +17,12 @@ struct AlgebraicContact {
   std::optional<Contact> contact;  ///< a common point other than the joints
 };
 
+/// F and G, polynomials in u = s and v = t. `itself`: a and b are one curve, both are divided by s - t.
+struct ContactEquations {
+  Bivariate f, g;
+};
+ContactEquations contact_equations(const CurveNet<Integer>& a, const CurveNet<Integer>& b, bool itself);
+
 /// Looks at s and t in the strips only. `itself`: a and b are one curve, its diagonal s = t is left out.
 /// Preconditions: as find_contact and self_contact.
 AlgebraicContact contact_by_algebra(const CurveNet<Integer>& a, const CurveNet<Integer>& b, bool itself,

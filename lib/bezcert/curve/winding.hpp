@@ -14,8 +14,8 @@
 namespace bezcert {
 
 /// What a curve adds to the winding number around `point` of a closed chain of curves; the sum over the chain
-/// is the winding number. Nothing if `depth` halvings do not separate the point from the curve: always so if
-/// it is on it.
+/// is the winding number. Nothing if `depth` halvings do not separate the point from the curve. Precondition:
+/// the point is not on the curve (where it is, the answer means nothing).
 std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int depth = 4096);
 
 }  // namespace bezcert

@@ -1,6 +1,5 @@
 #include "bezcert/decide/boundary.hpp"
 
-#include <deque>
 #include <vector>
 
 namespace bezcert {
@@ -17,7 +16,10 @@ CurveNet<T> edge_net(const Net<T>& net, int edge) {
   return result;
 }
 
+}  // namespace
+
 std::deque<DyadicCurve> edge_curves(const Forms& forms) {
+  const RoundingScope scope;
   std::deque<DyadicCurve> curves;
   for (int edge = 0; edge < (forms.element().is_triangle() ? 3 : 4); ++edge) {
     std::optional<CurveNet<Interval>> interval;
@@ -26,8 +28,6 @@ std::deque<DyadicCurve> edge_curves(const Forms& forms) {
   }
   return curves;
 }
-
-}  // namespace
 
 BoundaryResult examine_boundary(const Forms& forms, const ContactBudget& budget) {
   const RoundingScope scope;

@@ -8,6 +8,7 @@
 #include "bezcert/curve/contact.hpp"
 #include "bezcert/element/forms.hpp"
 
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -34,6 +35,9 @@ struct BoundaryResult {
   std::optional<Overlap> overlap;  ///< set if overlapping
   std::string exhausted;           ///< set if open: the budget that ran out
 };
+
+/// The curves of the edges, in order.
+std::deque<DyadicCurve> edge_curves(const Forms& forms);
 
 /// Precondition: the element is regular.
 BoundaryResult examine_boundary(const Forms& forms, const ContactBudget& budget = {});

@@ -5,12 +5,9 @@
 #include "bezcert/io/printable.hpp"
 #include "bezcert/number/parse.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
-#include <ostream>
 #include <unordered_map>
 
 namespace bezcert {
@@ -308,31 +305,6 @@ Mesh read_bez_json(const std::string& file, std::string_view bytes) {
 
 std::vector<InputCurve> read_bez_json_curves(const std::string& file, std::string_view bytes) {
   return Reader(file).read_curves(parse_json(file, bytes));
-}
-
-void write_bez_json(std::ostream& stream, const Element& element, const std::string& name,
-                    const std::string& source) {
-  nlohmann::ordered_json entry;
-  if (!name.empty()) entry["name"] = name;
-  if (!source.empty()) entry["source"] = source;
-  entry["kind"] = kind_name(element);
-  if (element.is_triangle()) {
-    entry["degree"] = element.shape().p;
-  } else {
-    entry["degree"] = {element.shape().p, element.shape().q};
-  }
-  entry["basis"] = element.basis() == Basis::bernstein ? "bernstein" : "lagrange";
-  for (std::size_t i = 0; i < element.x().size(); ++i) {
-    entry["points"].push_back({to_string(element.x()[i]), to_string(element.y()[i])});
-  }
-  for (std::size_t i = 0; i < element.weights().size(); ++i) {
-    entry["weights"].push_back(to_string(element.weights()[i]));
-  }
-  nlohmann::ordered_json file;
-  file["bezcert"] = 1;
-  file["elements"] = nlohmann::ordered_json::array({entry});
-  // Names may hold any bytes: what is no UTF-8 is replaced, not thrown at.
-  stream << file.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace bezcert

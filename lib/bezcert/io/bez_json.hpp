@@ -16,6 +16,10 @@ Mesh read_bez_json(const std::string& file, std::string_view bytes);
 /// The curves of a file, at least one; it need not have elements, which are not looked at. Throws InputError.
 std::vector<InputCurve> read_bez_json_curves(const std::string& file, std::string_view bytes);
 
+/// A whole mesh, exactly: the same elements in the same order, the same bases, glued in the same way. Numbers
+/// that the file gave nodes and elements are replaced by places.
+void write_bez_json(std::ostream& stream, const Mesh& mesh);
+
 /// One element with its points as given, exactly; `name` and `source` are left out if empty.
 void write_bez_json(std::ostream& stream, const Element& element, const std::string& name,
                     const std::string& source);

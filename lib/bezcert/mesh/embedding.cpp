@@ -43,10 +43,13 @@ MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states, 
   const bool all_injective = obstacles.empty();
 
   const MeshEdges edges(mesh);
-  Gluing gluing = glue(edges, obstacles);
-  const CornersByVertex corners = corners_by_vertex(edges, gluing);
+  const auto surface = std::make_shared<MeshSurface>();
+  result.surface = surface;
+  auto& [gluing, corners, fans] = *surface;
+  gluing = glue(edges, obstacles);
+  corners = corners_by_vertex(edges, gluing);
   find_hanging_nodes(edges, corners, gluing, obstacles);
-  const Fans fans = link_fans(edges, gluing, corners, obstacles);
+  fans = link_fans(edges, gluing, corners, obstacles);
   const Components components = find_components(edges, gluing);
   result.components = components.count;
   if (all_injective) {

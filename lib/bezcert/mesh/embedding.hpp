@@ -10,14 +10,22 @@
 
 #include "bezcert/curve/contact.hpp"
 #include "bezcert/mesh/loop_area.hpp"
-#include "bezcert/mesh/obstacle.hpp"
+#include "bezcert/mesh/vertex_fans.hpp"
 
+#include <memory>
 #include <span>
 
 namespace bezcert {
 
 /// What is known of one element alone.
 enum class ElementState : std::uint8_t { injective, invalid, open };
+
+/// How the elements were put together.
+struct MeshSurface {
+  Gluing gluing;
+  CornersByVertex corners;
+  Fans fans;
+};
 
 struct MeshResult {
   MeshVerdict verdict = MeshVerdict::undecided;
@@ -31,6 +39,7 @@ struct MeshResult {
   std::optional<std::size_t> holes;
   /// Set for an embedding.
   std::optional<AreaBounds> area;
+  std::shared_ptr<const MeshSurface> surface;
 };
 
 struct MeshOptions {

@@ -1,0 +1,127 @@
+#include "bezcert/certificate/certificate.hpp"
+
+#include "bezcert/certificate/meet_evidence.hpp"
+#include "bezcert/certificate/mesh_evidence.hpp"
+#include "bezcert/certificate/pair_evidence.hpp"
+#include "bezcert/certificate/sign_evidence.hpp"
+#include "bezcert/certificate/zero_evidence.hpp"
+
+#include <ostream>
+#include <stdexcept>
+
+namespace bezcert {
+namespace {
+
+using Evidence = std::optional<std::string>;
+
+// A claim with its evidence, and whether it says all that the decision does.
+struct ElementClaim {
+  std::string text = "undecided";
+  ElementState state = ElementState::open;
+  bool full = false;
+};
+
+Evidence injective_evidence(const Forms& forms, const Decision& decision) {
+  if (decision.injectivity_proof == "jacobian_hull") return "hull";
+  if (decision.injectivity_proof == "boundary") return boundary_evidence(forms);
+  return std::string(decision.injectivity_proof);
+}
+
+// "u v", without what the barycentric coordinates have too much.
+std::string uv_text(const Parameter& parameter) {
+  const std::size_t first = parameter.size() - 2;
+  return to_string(parameter[first]) + ' ' + to_string(parameter[first + 1]);
+}
+
+// det J <= 0 somewhere, if nothing more can be shown.
+ElementClaim invalid_claim(const Forms& forms, const Decision& decision) {
+  if (decision.witness) {
+    return {"invalid at " + uv_text(decision.witness->parameter), ElementState::invalid, false};
+  }
+  if (const Evidence zero = zero_evidence(forms, decision)) {
+    return {"invalid " + *zero, ElementState::invalid, false};
+  }
+  return {};
+}
+
+ElementClaim regular_claim(const Forms& forms, const Decision& decision) {
+  const Evidence positive = sign_evidence(forms, decision, WantedSign::positive);
+  if (!positive) return {};
+  const bool is_regular = decision.verdict == ElementVerdict::regular;
+  ElementClaim claim{"regular " + *positive, ElementState::open, is_regular};
+  if (decision.verdict == ElementVerdict::injective) {
+    if (const Evidence proof = injective_evidence(forms, decision)) {
+      return {"injective " + *positive + ' ' + *proof, ElementState::injective, true};
+    }
+  } else if (decision.verdict == ElementVerdict::overlapping) {
+    if (const Evidence meet = meet_evidence(forms, *decision.overlap)) {
+      return {"overlapping " + *positive + ' ' + *meet, ElementState::invalid, true};
+    }
+  }
+  return claim;
+}
+
+ElementClaim folded_claim(const Forms& forms, const Decision& decision) {
+  // The budget may have ended before a second sign was seen, but not for a folded element.
+  const std::string negative = "folded " + uv_text(decision.witness->parameter);
+  if (decision.other_witness) {
+    return {negative + " at " + uv_text(decision.other_witness->parameter), ElementState::invalid, true};
+  }
+  if (const Evidence zero = zero_evidence(forms, decision)) {
+    return {negative + ' ' + *zero, ElementState::invalid, true};
+  }
+  return invalid_claim(forms, decision);
+}
+
+ElementClaim claim_of(const Element& element, const Decision& decision) {
+  const Forms forms(element);
+  switch (decision.verdict) {
+    case ElementVerdict::injective:
+    case ElementVerdict::regular:
+    case ElementVerdict::overlapping: return regular_claim(forms, decision);
+    case ElementVerdict::degenerate: {
+      const Evidence sign = sign_evidence(forms, decision, WantedSign::nonnegative);
+      const Evidence zero = sign ? zero_evidence(forms, decision) : std::nullopt;
+      if (!zero) return invalid_claim(forms, decision);
+      return {"degenerate " + *sign + ' ' + *zero, ElementState::invalid, true};
+    }
+    case ElementVerdict::folded: return folded_claim(forms, decision);
+    case ElementVerdict::reversed: {
+      const Evidence sign = sign_evidence(forms, decision, WantedSign::negative);
+      if (!sign) return invalid_claim(forms, decision);
+      return {"reversed " + *sign, ElementState::invalid, true};
+    }
+    case ElementVerdict::undecided: {
+      ElementClaim claim = invalid_claim(forms, decision);
+      claim.full = true;
+      return claim;
+    }
+  }
+  throw std::logic_error("certificate: unknown verdict");
+}
+
+}  // namespace
+
+CertificateWriter::CertificateWriter(std::ostream& stream, const CertificateHeader& header)
+    : stream_(stream), count_(header.count) {
+  stream_ << "bezcert-certificate 1\nelements " << header.elements_sha256 << "\nbasis " << header.basis
+          << "\nnumbers " << (header.numbers == Numbers::binary64 ? "binary64" : "decimal") << "\ncount "
+          << count_ << '\n';
+  claims_.reserve(count_);
+}
+
+void CertificateWriter::element(const Element& element, const Decision& decision) {
+  if (claims_.size() == count_) throw std::logic_error("certificate: more elements than its header says");
+  const ElementClaim claim = claim_of(element, decision);
+  claims_.push_back(claim.state);
+  if (!claim.full) ++without_evidence_;
+  stream_ << claims_.size() << ' ' << claim.text << '\n';
+}
+
+void CertificateWriter::mesh(const Mesh& mesh, const MeshResult& result) {
+  if (claims_.size() != count_) throw std::logic_error("certificate: fewer elements than its header says");
+  if (!write_mesh_evidence(stream_, mesh, result, claims_)) ++without_evidence_;
+  stream_ << "end\n";
+}
+
+}  // namespace bezcert

@@ -1,0 +1,89 @@
+// Curves for tests of evidence about pairs of edges, and the verifier's word on it.
+#pragma once
+
+#include "bezcert/certificate/meet_evidence.hpp"
+#include "pair_rules.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace bezcert::test {
+
+/// A polynomial curve by its control points, or a rational one.
+inline CurveNet<Integer> net_of(const std::vector<std::array<Rational, 2>>& points,
+                                const std::vector<Rational>& weights = {}) {
+  std::vector<Rational> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Rational w = weights.empty() ? Rational(1) : weights[i];
+    all.insert(all.end(), {points[i][0] * w, points[i][1] * w, w});
+  }
+  const std::vector<Integer> integers = scaled_integers(all).values;
+  CurveNet<Integer> net;
+  for (std::size_t i = 0; i < integers.size(); i += 3) {
+    net.x.push_back(integers[i]);
+    net.y.push_back(integers[i + 1]);
+    net.w.push_back(integers[i + 2]);
+  }
+  return net;
+}
+
+/// With intervals, as edges of elements have them, or without.
+inline DyadicCurve dyadic(const CurveNet<Integer>& net, bool filter) {
+  if (!filter) return DyadicCurve(std::nullopt, net);
+  CurveNet<Interval> interval;
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    interval.x.push_back(to_interval(net.x[i]));
+    interval.y.push_back(to_interval(net.y[i]));
+    interval.w.push_back(to_interval(net.w[i]));
+  }
+  return DyadicCurve(std::move(interval), net);
+}
+
+inline verifier::Curve as_verifier(const CurveNet<Integer>& net) {
+  const auto copy = [](const std::vector<Integer>& values) {
+    std::vector<mpz_class> result;
+    for (const Integer& value : values) result.emplace_back(value.str());
+    return result;
+  };
+  return {copy(net.x), copy(net.y), copy(net.w)};
+}
+
+/// Empty if `check` accepts all of the text, else why not.
+template <class Check>
+std::string refusal_of(const std::string& text, Check check) {
+  verifier::begin_line();
+  try {
+    verifier::Tokens tokens(text);
+    check(tokens);
+    tokens.expect_end();
+  } catch (const verifier::Rejected& rejected) {
+    return "rejected: " + rejected.why;
+  } catch (const verifier::Malformed& malformed) {
+    return "malformed: " + malformed.why;
+  }
+  return "";
+}
+
+inline std::string refusal_of_pair(const std::string& text, const CurveNet<Integer>& a,
+                                   const CurveNet<Integer>& b, Joints joints) {
+  return refusal_of(text, [&](verifier::Tokens& tokens) {
+    verifier::check_pair(tokens, as_verifier(a), as_verifier(b), {joints.end_to_begin, joints.begin_to_end});
+  });
+}
+
+/// Of MEET that names the curves "0" and "1".
+inline std::string refusal_of_meet(const std::string& text, const CurveNet<Integer>& a,
+                                   const CurveNet<Integer>& b, const CommonPlaces& common) {
+  return refusal_of(text, [&](verifier::Tokens& tokens) {
+    const verifier::Meet meet = verifier::read_meet(tokens, false);
+    const bool exchanged = meet.first.edge == 1;
+    verifier::MeetContext context{as_verifier(exchanged ? b : a), as_verifier(exchanged ? a : b), false, {}};
+    for (const int i : {0, 1}) {
+      for (const int j : {0, 1}) context.common[i][j] = exchanged ? common.ends[j][i] : common.ends[i][j];
+    }
+    verifier::check_meet(meet, context);
+  });
+}
+
+}  // namespace bezcert::test
