@@ -268,13 +268,13 @@ bool in_domain(bool triangle, const mpq_class& u, const mpq_class& v) {
   return u >= 0 && v >= 0 && (triangle ? u + v <= 1 : u <= 1 && v <= 1);
 }
 
-/// ZERO; if `folded`, N >= 0 is enough at a rational point.
-void check_zero(Tokens& tokens, const Polynomial2& n, bool triangle, bool folded) {
+/// ZERO; at a rational point N may have the sign `also` as well.
+void check_zero(Tokens& tokens, const Polynomial2& n, bool triangle, int also) {
   std::vector<Polynomial2> sides{{{0, 1}}, {{}, {1}}, {{1, -1}, {-1}}};  // all are >= 0 in the domain only
   if (!triangle) sides = {{{0, 1}}, {{}, {1}}, {{1, -1}}, {{1}, {-1}}};
   if (tokens.accept("at")) {
     const mpq_class u = tokens.rational(), v = tokens.rational(), at = value(n, u, v);
-    return require(in_domain(triangle, u, v) && (at == 0 || (folded && at > 0)), "the sign at a point");
+    return require(in_domain(triangle, u, v) && (at == 0 || sgn(at) == also), "the sign at a point");
   }
   if (!tokens.accept("root")) throw Malformed{"expected at or root"};
   const Polynomial m = tokens.polynomial();
@@ -437,7 +437,7 @@ Map map_of(const Element& e) {
 
 Claim check_element(const Element& e, Tokens& tokens) {
   static constexpr std::string_view names[] = {"injective", "regular",  "overlapping", "degenerate",
-                                               "folded",    "reversed", "undecided"};
+                                               "folded",    "reversed", "invalid",     "undecided"};
   const auto* name = std::find(std::begin(names), std::end(names), tokens.word());
   if (name == std::end(names)) throw Malformed{"unknown claim"};
   const auto claim = static_cast<Claim>(name - names);
@@ -448,14 +448,15 @@ Claim check_element(const Element& e, Tokens& tokens) {
   if (claim == Claim::folded) {
     const mpq_class u = tokens.rational(), v = tokens.rational();
     require(in_domain(e.triangle, u, v) && value(n, u, v) < 0, "a negative point");
-  } else if (claim != Claim::undecided) {
+  } else if (claim != Claim::invalid && claim != Claim::undecided) {
     check_sign(tokens, claim == Claim::reversed ? negative(n) : n, e.triangle, degree,
                claim != Claim::degenerate);
   }
   if (claim == Claim::injective) check_injective(tokens, e, map);
   if (claim == Claim::overlapping) check_element_meet(tokens, e);
-  if (claim == Claim::degenerate || claim == Claim::folded)
-    check_zero(tokens, n, e.triangle, claim == Claim::folded);
+  if (claim == Claim::degenerate) check_zero(tokens, n, e.triangle, 0);
+  if (claim == Claim::folded) check_zero(tokens, n, e.triangle, 1);
+  if (claim == Claim::invalid) check_zero(tokens, n, e.triangle, -1);
   tokens.expect_end();
   return claim;
 }

@@ -7,7 +7,7 @@
 
 namespace verifier {
 
-enum class Claim { injective, regular, overlapping, degenerate, folded, reversed, undecided };
+enum class Claim { injective, regular, overlapping, degenerate, folded, reversed, invalid, undecided };
 
 /// X, Y, W in the power basis in (u, v), times one positive number; W is {{1}} times a number if not
 /// rational. Throws Malformed if a control weight is not positive.

@@ -115,7 +115,7 @@ std::string verify(const std::string& elements_path, const std::string& certific
           "the elements file has another number of elements");
 
   std::vector<Claim> claims;
-  std::array<std::size_t, 7> tally{};
+  std::array<std::size_t, 8> tally{};
   while (claims.size() < elements.count()) {
     Tokens line(certificate.next());
     place.element = claims.size() + 1;
@@ -141,7 +141,7 @@ std::string verify(const std::string& elements_path, const std::string& certific
     answer += (basis == "lagrange" ? " as lagrange nodes, " : " as bernstein control points, ") + numbers;
   answer += ": " + std::to_string(claims.size()) + " elements:";
   const char* names[] = {"injective", "regular",  "overlapping", "degenerate",
-                         "folded",    "reversed", "undecided"};
+                         "folded",    "reversed", "invalid",     "undecided"};
   for (std::size_t c = 0; c < tally.size(); ++c)
     if (tally[c]) answer += ' ' + std::to_string(tally[c]) + ' ' + names[c] + ',';
   answer.back() = ';';

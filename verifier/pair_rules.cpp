@@ -149,8 +149,11 @@ void rule_j(Tokens& tokens, const Curve& a, const Curve& b, Joints joints) {
 void rule_r(const Curve& a, const Curve& b, Joints joints) {
   require(!joints.end_to_begin || !joints.begin_to_end, "r: two joints");
   const Curve first = joints.end_to_begin ? reversed(a) : a, second = joints.begin_to_end ? reversed(b) : b;
-  const int n = static_cast<int>(b.x.size()) - 1;
-  Polynomial r = resultant(difference(first, second, &Curve::x), n, difference(first, second, &Curve::y), n);
+  const Polynomial2 f = difference(first, second, &Curve::x), g = difference(first, second, &Curve::y);
+  // In the degree that b has, perhaps less than the formal one, in which R would be 0. At least 1, so that R
+  // = A F + B G.
+  const int n = std::max({2, static_cast<int>(f.size()), static_cast<int>(g.size())}) - 1;
+  Polynomial r = resultant(f, n, g, n);
   require(!r.empty(), "r: the resultant is 0");
   if (joints.end_to_begin || joints.begin_to_end)
     r.erase(r.begin(), std::find_if(r.begin(), r.end(), [](const mpz_class& z) { return z != 0; }));

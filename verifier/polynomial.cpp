@@ -37,7 +37,7 @@ std::size_t limbs(const std::vector<mpz_class>& c) {
 }
 
 std::size_t product_work(std::size_t a, std::size_t b) {
-  return std::max(a, b) * std::min<std::size_t>(std::min(a, b), 32);
+  return 8 + std::max(a, b) * std::min<std::size_t>(std::min(a, b), 32);
 }
 
 std::array<int, 3> degrees(const Polynomial2& f) {
