@@ -95,6 +95,7 @@ void check_tree(std::string_view bits, std::size_t& at, const Form& f, bool stri
 }
 
 void check_tree(std::string_view bits, const Form& f, bool strict) {
+  if (bits.size() > std::size_t{1} << 16) throw Malformed{"limit: a tree of more than 2^16 pieces"};
   std::size_t at = 0;
   check_tree(bits, at, f, strict);
   if (at != bits.size()) throw Malformed{"more than a tree"};

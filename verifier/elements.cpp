@@ -49,6 +49,7 @@ struct Json {
     return text.substr(begin, at - begin);
   }
   std::uint32_t index(std::uint32_t low, std::uint32_t high) {
+    if (peek() == '"') fail("expected an integer, not a string");
     const std::string_view digits = number();
     std::uint32_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);

@@ -85,7 +85,7 @@ int crossings(const Curve& c, int depth = 0) {
     const int side = up || down ? cmp(c.x[0] * c.y.back(), c.x.back() * c.y[0]) : 0;
     return up && side > 0 ? 1 : down && side < 0 ? -1 : 0;
   }
-  require(depth < 64, "a point is not shown to be off a curve");
+  require(depth < 512, "a point is not shown to be off a curve");
   const auto half = halves(c);
   return crossings(half[0], depth + 1) + crossings(half[1], depth + 1);
 }
@@ -112,7 +112,7 @@ int direction(const std::vector<Curve>& loop) {
   const Point middle = point(half, 0);
   const Point leg = Point{fraction(half.x[1], half.w[1]), fraction(half.y[1], half.w[1])} - middle;
   mpq_class size = 1;
-  for (int k = 0; k < 128; ++k) try {
+  for (int k = 0; k < 1024; ++k) try {
       size = k % 2 == 0 ? mpq_class(abs(size) / 2) : mpq_class(-size);
       const int sum = winding({middle[0] - size * leg[1], middle[1] + size * leg[0]}, loop);
       if (sum != 0) return sum;
@@ -180,6 +180,7 @@ struct Surface {
     vertex.resize(bound), holds_x.resize(bound), mate.resize(bound, none);
     std::map<std::string, Index> points;
     for (std::size_t i = 0; i < elements.count(); ++i) {
+      begin_line();  // what is done for every element, or edge, has the limit of a line each time
       const Element e = elements.element(i);
       const std::vector<Index> all = elements.nodes(i);
       std::vector<std::size_t> back = edge_positions(e, elements.corner_count(i) - 1);
@@ -238,6 +239,7 @@ struct Surface {
     for (const Use u : uses) sorted.push_back({std::minmax({begin(u), end(u)}), u});
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t i = 0; i < sorted.size(); ++i) {
+      begin_line();
       const Use u = sorted[i].second;
       for (std::size_t j = i + 1; j < sorted.size() && sorted[j].first == sorted[i].first && mate[u] == none;
            ++j) {
@@ -282,8 +284,12 @@ std::vector<Rim> check_vertices(const Surface& s) {
   std::vector<Rim> rims;
   std::vector<Index> rim_of(s.vertex.size(), none);
   std::vector<bool> seen(s.vertex.size());
-  for (const Use u : s.uses)
-    if (s.mate[u] == none) rim_of[u] = static_cast<Index>(rims.size()), rims.push_back({u, s.curve(u)});
+  for (const Use u : s.uses) {
+    if (s.mate[u] != none) continue;
+    begin_line();
+    rim_of[u] = static_cast<Index>(rims.size());
+    rims.push_back({u, s.curve(u)});
+  }
   for (Index i = 0; i < rims.size();
        ++i) {  // counter-clockwise from the edge that leaves to the one that arrives
     Use corner = rims[i].use;
