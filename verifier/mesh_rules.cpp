@@ -290,8 +290,8 @@ std::vector<Rim> check_vertices(const Surface& s) {
     rim_of[u] = static_cast<Index>(rims.size());
     rims.push_back({u, s.curve(u)});
   }
-  for (Index i = 0; i < rims.size();
-       ++i) {  // counter-clockwise from the edge that leaves to the one that arrives
+  // Around a vertex, counter-clockwise: from the edge that leaves to the one that arrives.
+  for (Index i = 0; i < rims.size(); ++i) {
     Use corner = rims[i].use;
     for (seen[corner] = true; s.mate[s.preceding(corner)] != none; seen[corner] = true)
       corner = s.mate[s.preceding(corner)];

@@ -1,5 +1,5 @@
-// The verifier inside a test: main.cpp's loop over a certificate, on bytes instead of files. Its answers are compared with the program's by
-// example_test.
+// The verifier inside a test: main.cpp's loop over a certificate, on bytes instead of files. Its answers are
+// compared with the program's by example_test.
 #pragma once
 
 #include "mesh_rules.hpp"

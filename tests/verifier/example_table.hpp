@@ -27,8 +27,8 @@ inline std::vector<Example> examples() {
     std::istringstream words(row);
     Example example;
     INFO(row);
-    REQUIRE(static_cast<bool>(words >> example.certificate >> example.elements >> example.code >>
-                              example.line));
+    REQUIRE(
+        static_cast<bool>(words >> example.certificate >> example.elements >> example.code >> example.line));
     result.push_back(example);
   }
   return result;

@@ -84,12 +84,17 @@ TEST_CASE("every rule occurs in accepted and in rejected certificates") {
   std::map<std::string, std::map<int, std::size_t>> seen;
   for (const Example& example : examples())
     for (const std::string& word : words_of(example.path())) ++seen[word][example.code];
-  for (const char* rule :
-       {"injective", "regular",  "overlapping", "degenerate", "folded", "reversed",    "invalid",  "coefficients", "tree",   "factors",
-        "columns",   "none",     "+",           "-",          "u",      "v",           "open",     "root",         "slab",   "at",
-        "cross",     "midpoint", "hull",        "orientation", "boundary", "m",        "h",        "s",            "j",      "a",
-        "b",         "r",        "mesh",        "embedding",  "refuted", "glue",       "pair",     "element",      "cover",  "touch",
-        "pinch",     "gap",      "undecided"}) {
+  for (const char* rule : {"injective", "regular",   "overlapping", "degenerate",
+                           "folded",    "reversed",  "invalid",     "coefficients",
+                           "tree",      "factors",   "columns",     "none",
+                           "+",         "-",         "u",           "v",
+                           "open",      "root",      "slab",        "at",
+                           "cross",     "midpoint",  "hull",        "orientation",
+                           "boundary",  "m",         "h",           "s",
+                           "j",         "a",         "b",           "r",
+                           "mesh",      "embedding", "refuted",     "glue",
+                           "pair",      "element",   "cover",       "touch",
+                           "pinch",     "gap",       "undecided"}) {
     INFO(rule);
     CHECK(seen[rule][0] > 0);
     CHECK(seen[rule][1] > 0);
@@ -117,17 +122,19 @@ TEST_CASE("what is beyond the limits is refused, not tried") {
       {"a tree of 2^17 leaves", "regular " + wide},
       {"a tree of depth 10000", "regular tree " + std::string(10000, '1') + std::string(10001, '0')},
       {"a million bits without an end", "regular tree " + std::string(1'000'000, '1')},
-      {"degree 5000", "degenerate coefficients root " + [] {
-         std::string text = "-2";
-         for (int i = 1; i < 5000; ++i) text += ",0";
-         return text + ",1 1 2 0,1 0";
-       }()},
+      {"degree 5000", "degenerate coefficients root " +
+                          [] {
+                            std::string text = "-2";
+                            for (int i = 1; i < 5000; ++i) text += ",0";
+                            return text + ",1 1 2 0,1 0";
+                          }()},
       {"a line of 2^26 characters", "regular " + std::string((std::size_t{1} << 26) + 1, 'x')},
-      {"a self of depth 100000", "injective coefficients boundary" + [] {
-         std::string text;
-         for (int i = 0; i < 100000; ++i) text += " h";
-         return text;
-       }()},
+      {"a self of depth 100000", "injective coefficients boundary" +
+                                     [] {
+                                       std::string text;
+                                       for (int i = 0; i < 100000; ++i) text += " h";
+                                       return text;
+                                     }()},
       {"4096 factors", "regular " + many_factors}};
   for (const auto& [name, claim] : claims) {
     std::string certificate = sound;

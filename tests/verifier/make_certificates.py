@@ -2,7 +2,7 @@
 """Writes elements/, accepted/, rejected/, malformed/ and expected.tsv: the examples in cases/, each held against oracle/check.py first.
 
 The oracle is a second checker of docs/certificate-format.md in exact fractions; it shares nothing with verifier/ or lib/.
---list tells what it says about every example, without writing. Needs Python 3.9, nothing else.
+--list tells what it says about every example, --check compares instead of writing. Needs Python 3.9, nothing else.
 """
 import sys
 from pathlib import Path
@@ -38,15 +38,23 @@ def main():
         return 1
     if "--list" in sys.argv:
         return 0
-    for folder in ("elements", "accepted", "rejected", "malformed"):
+    files = {f"elements/{name}": data for name, data in book.ELEMENTS.items()}
+    files.update({f"{case['folder']}/{case['name']}.cert": case["data"] for case in book.CASES})
+    files["expected.tsv"] = ("\n".join(sorted(rows)) + "\n").encode()
+    folders = ("elements", "accepted", "rejected", "malformed")
+    if "--check" in sys.argv:
+        found = {str(p.relative_to(HERE)): p.read_bytes() for folder in folders for p in (HERE / folder).iterdir()}
+        found["expected.tsv"] = (HERE / "expected.tsv").read_bytes()
+        for name in sorted(files.keys() | found.keys()):
+            if files.get(name) != found.get(name):
+                print(name, "differs from what make_certificates.py gives", file=sys.stderr)
+        return 0 if files == found else 1
+    for folder in folders:
         (HERE / folder).mkdir(exist_ok=True)
         for old in (HERE / folder).iterdir():
             old.unlink()
-    for name, data in book.ELEMENTS.items():
-        (HERE / "elements" / name).write_bytes(data)
-    for case in book.CASES:
-        (HERE / case["folder"] / (case["name"] + ".cert")).write_bytes(case["data"])
-    (HERE / "expected.tsv").write_text("\n".join(sorted(rows)) + "\n")
+    for name, data in files.items():
+        (HERE / name).write_bytes(data)
     return 0
 
 
