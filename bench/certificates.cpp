@@ -42,8 +42,10 @@ bool run_order(int order, const fs::path& folder) {
   }
   const auto mesh_size = static_cast<double>(fs::file_size(mesh));
   const auto certificate_size = static_cast<double>(fs::file_size(certificate));
-  std::printf("order %d: mesh file %.1f MB, certificate %.1f MB\n", order, mesh_size / 1e6, certificate_size / 1e6);
-  std::printf("  certificate / mesh file             %5.2f   (asked: at most 0.5)\n", certificate_size / mesh_size);
+  std::printf("order %d: mesh file %.1f MB, certificate %.1f MB\n", order, mesh_size / 1e6,
+              certificate_size / 1e6);
+  std::printf("  certificate / mesh file             %5.2f   (asked: at most 0.5)\n",
+              certificate_size / mesh_size);
   std::printf("  certify with / without certificate  %5.2f   (asked: at most 1.5)   %.2f s / %.2f s\n",
               best[1] / best[0], best[1], best[0]);
   std::printf("  verifier / certify                  %5.2f   (asked: at most 10)    %.2f s / %.2f s\n",

@@ -157,8 +157,9 @@ void check_outputs(const CheckOptions& options) {
       if (other == output) break;
       const bool same = *other == *output || std::filesystem::equivalent(*other, *output, error);
       if (same && std::filesystem::status(*output, error).type() != std::filesystem::file_type::character) {
-        throw InputError(*output, 0, std::string("is given twice: expected different files for ") +
-                                         other_option + " and " + option);
+        throw InputError(
+            *output, 0,
+            std::string("is given twice: expected different files for ") + other_option + " and " + option);
       }
     }
   }

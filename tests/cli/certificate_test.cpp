@@ -174,7 +174,8 @@ TEST_CASE("what --certificate and --elements refuse leaves no file") {
   require_refused(folder, {"check", "a.msh", "--elements=./a.msh"}, "is an input");
   require_refused(folder, {"check", "a.msh", "--certificate=c", "--elements=c"}, "given twice");
   require_refused(folder, {"check", "a.msh", "--certificate=c", "-o", "c"}, "given twice");
-  require_refused(folder, {"check", meshes_folder + "plate_p4_22b.msh", "--certificate=c"}, "--elements=FILE");
+  require_refused(folder, {"check", meshes_folder + "plate_p4_22b.msh", "--certificate=c"},
+                  "--elements=FILE");
   require_refused(folder, {"check", "missing.msh", "--certificate=c"}, "missing.msh");
   CHECK(folder.files() == std::vector<std::string>{"a.msh", "b.msh"});
   CHECK(bytes_of(folder / "a.msh") == trap_mesh);

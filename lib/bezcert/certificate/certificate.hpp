@@ -1,8 +1,8 @@
 // The certificate of a mesh: one claim for every element and one for the mesh, each with evidence that
 // `verifier` checks without any of this library (docs/certificate-format.md).
 //
-// Claims are those of the decision. Where evidence would exceed the format's limits a weaker claim is written,
-// at the weakest `undecided`, and counted.
+// Claims are those of the decision. Where evidence would exceed the format's limits a weaker claim is
+// written, at the weakest `undecided`, and counted.
 #pragma once
 
 #include "bezcert/decide/decide.hpp"

@@ -173,8 +173,8 @@ class Columns {
     return roots;
   }
 
-  // Whether a slab that holds the root is shown positive, from the widest to ever narrower ones: [lower, upper]
-  // shrinks to it. An end 0 or 1 that is the root stays.
+  // Whether a slab that holds the root is shown positive, from the widest to ever narrower ones: [lower,
+  // upper] shrinks to it. An end 0 or 1 that is the root stays.
   bool find_slab(RealRoot root, Rational& lower, Rational& upper) const {
     for (int tries = 0; tries <= max_narrowings; ++tries) {
       const bool at_lower = lower == 0 && root.is_rational() && root.lower == 0;

@@ -78,7 +78,8 @@ void write_bez_json(std::ostream& stream, const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
     const MeshElement& entry = mesh.elements[i];
     stream << (i > 0 ? ",\n{" : "{");
-    if (!mesh.names.empty() && !mesh.names[i].empty()) stream << "\"name\": " << quoted(mesh.names[i]) << ", ";
+    if (!mesh.names.empty() && !mesh.names[i].empty())
+      stream << "\"name\": " << quoted(mesh.names[i]) << ", ";
     stream << shape_text(entry.shape, entry.basis);
     if (mesh.glued_by_nodes) {
       stream << ", \"nodes\": [";
