@@ -62,10 +62,7 @@ int main(int argc, char** argv) {
     std::cerr << "certificates [TARGET_TRIANGLES]: at least 100\n";
     return 2;
   }
-  gmsh::initialize();
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::option::setNumber("General.NumThreads", 1);
-  gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);
+  start_gmsh();
   make_plate(target);
   const fs::path folder = fs::temp_directory_path() / "bezcert_certificates";
   fs::create_directories(folder);

@@ -110,10 +110,7 @@ int main(int argc, char** argv) {
     std::cerr << "check_vs_gmsh [TARGET_TRIANGLES]: at least 100\n";
     return 2;
   }
-  gmsh::initialize();
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::option::setNumber("General.NumThreads", 1);
-  gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);
+  start_gmsh();
   make_plate(target);
   const std::string path = (std::filesystem::temp_directory_path() / "bezcert_check_vs_gmsh.msh").string();
   for (const int order : {2, 3, 4}) run_order(order, path);

@@ -9,6 +9,14 @@
 #include <utility>
 #include <vector>
 
+/// Starts gmsh, quiet and with one thread.
+inline void start_gmsh() {
+  gmsh::initialize();
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::option::setNumber("General.NumThreads", 1);
+  gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);
+}
+
 /// A square plate of side 10 with 3 x 3 round holes, as the current gmsh model, with about so many straight
 /// triangles.
 inline void make_plate(double triangles) {

@@ -61,18 +61,6 @@ int sign_changes(const std::vector<Integer>& values) {
 
 namespace {
 
-// Divides by the largest common power of two: a positive factor does not matter.
-void shorten(std::vector<Integer>& values) {
-  mp_bitcnt_t common = ~mp_bitcnt_t{0};
-  for (const Integer& value : values) {
-    if (!value.is_zero()) common = std::min(common, mpz_scan1(value.backend().data(), 0));
-  }
-  if (common == 0 || common == ~mp_bitcnt_t{0}) return;
-  for (Integer& value : values) {
-    mpz_tdiv_q_2exp(value.backend().data(), value.backend().data(), common);
-  }
-}
-
 // Roots in the open interval, in ascending order. Intervals without sign changes are dropped at once, so that
 // few are kept however deep the search goes: coefficients grow by the degree in bits with every halving.
 void isolate(const Univariate& f, std::vector<Integer> bernstein, const Rational& lower,

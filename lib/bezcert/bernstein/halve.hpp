@@ -4,7 +4,9 @@
 #pragma once
 
 #include "bezcert/number/interval.hpp"
+#include "bezcert/number/rational.hpp"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -50,6 +52,19 @@ std::pair<std::vector<T>, std::vector<T>> halve(const std::vector<T>& values) {
   std::vector<T> right(values.size());
   detail::bisect_line(left, right, 0, 1, values.size(), static_cast<int>(values.size()) - 1);
   return {std::move(left), std::move(right)};
+}
+
+/// Divides by the largest common power of two, for where a positive factor does not matter: halving integers
+/// again and again would let them grow.
+inline void shorten(std::vector<Integer>& values) {
+  mp_bitcnt_t common = ~mp_bitcnt_t{0};
+  for (const Integer& value : values) {
+    if (!value.is_zero()) common = std::min(common, mpz_scan1(value.backend().data(), 0));
+  }
+  if (common == 0 || common == ~mp_bitcnt_t{0}) return;
+  for (Integer& value : values) {
+    mpz_tdiv_q_2exp(value.backend().data(), value.backend().data(), common);
+  }
 }
 
 }  // namespace bezcert

@@ -1,6 +1,7 @@
 #include "bezcert/certificate/sign_tree.hpp"
 
 #include "bezcert/algebra/real_root.hpp"
+#include "bezcert/bernstein/halve.hpp"
 #include "bezcert/bernstein/scale_table.hpp"
 #include "bezcert/element/bisect.hpp"
 #include "bezcert/element/jacobian_tree.hpp"
@@ -12,18 +13,6 @@ namespace {
 
 bool none_negative(const std::vector<Integer>& values) {
   return std::all_of(values.begin(), values.end(), [](const Integer& c) { return c.sign() >= 0; });
-}
-
-// Takes a common power of two out: a positive factor does not matter, and halving multiplies by them.
-void shorten(std::vector<Integer>& values) {
-  mp_bitcnt_t common = ~mp_bitcnt_t{0};
-  for (const Integer& value : values) {
-    if (!value.is_zero()) common = std::min(common, mpz_scan1(value.backend().data(), 0));
-  }
-  if (common == 0 || common == ~mp_bitcnt_t{0}) return;
-  for (Integer& value : values) {
-    mpz_tdiv_q_2exp(value.backend().data(), value.backend().data(), common);
-  }
 }
 
 std::size_t words_in(const std::vector<Integer>& values) {
