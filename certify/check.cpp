@@ -6,6 +6,7 @@
 #include "exit_code.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "workers.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -39,32 +40,84 @@ DomainSummary check_domain_of(const Mesh& mesh, const std::string& file, std::sp
   return result;
 }
 
-Summary check_mesh(const std::string& input, const CheckOptions& options, std::span<const InputCurve> curves,
-                   Report& report) {
-  const auto start = std::chrono::steady_clock::now();
+// Elements that one thread decides at a time.
+constexpr std::size_t block_size = 256;
+
+struct CheckedBlock {
+  std::size_t first = 0;
+  std::vector<CheckedElement> elements;
+  std::string report;
+};
+
+CheckedBlock check_block(const Mesh& mesh, std::size_t begin, std::size_t end, const CheckOptions& options,
+                         const Report& report) {
+  CheckedBlock block{begin, check_elements(mesh, begin, end, options.criteria, options.budget), {}};
+  block.report.reserve(block.elements.size() * 384);
+  for (std::size_t i = begin; i < end; ++i) report.element(mesh, i, block.elements[i - begin], block.report);
+  return block;
+}
+
+// Adds a block to the report and to what is known of the mesh; blocks come in mesh order.
+void take_block(const std::string& input, const Mesh& mesh, const CheckedBlock& block, Summary& summary,
+                std::vector<ElementState>& states, Report& report) {
+  report.write(block.report);
+  for (std::size_t k = 0; k < block.elements.size(); ++k) {
+    const CheckedElement& checked = block.elements[k];
+    summary.add(checked);
+    states.push_back(state_of(checked.decision));
+    if (std::any_of(checked.criteria.begin(), checked.criteria.end(),
+                    [](const CheckedCriterion& one) { return one.is_defect(); })) {
+      const std::size_t i = block.first + k;
+      write_reproducer(input, mesh.elements[i], mesh.element(i), checked);
+    }
+  }
+}
+
+struct Input {
+  Mesh mesh;
+  std::string sha256;
+};
+
+Input read_input(const std::string& input, const ReadOptions& options, Workers& workers) {
   const std::string bytes = read_file(input);
-  const Mesh mesh = read_mesh(input, bytes, options.read);
-  report.begin(input, sha256(bytes), mesh);
+  Input result;
+  ReadOptions with_threads = options;
+  if (workers.jobs() > 1) {
+    with_threads.parallel = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
+      workers.each(count, work);
+    };
+  }
+  workers.both([&] { result.mesh = read_mesh(input, bytes, with_threads); },
+               [&] { result.sha256 = sha256(bytes); });
+  return result;
+}
+
+Summary check_mesh(const std::string& input, const CheckOptions& options, std::span<const InputCurve> curves,
+                   Workers& workers, Report& report) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto [mesh, sha256] = read_input(input, options.read, workers);
+  report.begin(input, sha256, mesh);
 
   Summary summary;
   summary.criteria = options.criteria;
   summary.by_criterion.resize(options.criteria.size());
   std::vector<ElementState> states;
   states.reserve(mesh.elements.size());
-  Progress progress(input, mesh.elements.size());
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    const Element element = mesh.element(i);
-    const CheckedElement checked = check_element(element, options.criteria, options.budget);
-    summary.add(checked);
-    states.push_back(state_of(checked.decision));
-    report.element(mesh, i, element, checked);
-    if (std::any_of(checked.criteria.begin(), checked.criteria.end(),
-                    [](const CheckedCriterion& one) { return one.is_defect(); })) {
-      write_reproducer(input, mesh.elements[i], element, checked);
-    }
-    progress.done(i + 1);
-  }
-  summary.mesh = examine_mesh(mesh, states, {options.budget.contact, std::nullopt});
+  std::optional<MeshTopology> topology;
+  workers.both([&] { topology.emplace(mesh); },
+               [&] {
+                 Progress progress(input, mesh.elements.size());
+                 workers.in_order(
+                     mesh.elements.size(), block_size,
+                     [&](std::size_t begin, std::size_t end) {
+                       return check_block(mesh, begin, end, options, report);
+                     },
+                     [&](const CheckedBlock& block) {
+                       take_block(input, mesh, block, summary, states, report);
+                       progress.done(states.size());
+                     });
+               });
+  summary.mesh = examine_mesh(std::move(*topology), states, {options.budget.contact, std::nullopt});
   if (!options.domain.empty()) summary.domain = check_domain_of(mesh, options.domain, curves);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.end(mesh, summary);
@@ -95,9 +148,10 @@ int check_all(const CheckOptions& options, std::ostream& stream) {
   const auto report = options.format == "jsonl" ? make_jsonl_report(stream) : make_text_report(stream);
   std::vector<InputCurve> curves;
   if (!options.domain.empty()) curves = read_bez_json_curves(options.domain, read_file(options.domain));
+  Workers workers(options.jobs);
   int code = exit_certified;
   for (const std::string& input : options.meshes) {
-    code = worse(code, exit_code_of(check_mesh(input, options, curves, *report), options));
+    code = worse(code, exit_code_of(check_mesh(input, options, curves, workers, *report), options));
   }
   return code;
 }

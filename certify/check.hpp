@@ -20,6 +20,7 @@ struct CheckOptions {
   std::string domain;           ///< a file of curves the meshes are to conform to; empty: none
   bool fail_on_undecided = true;
   Budget budget;
+  int jobs = 0;  ///< threads; 0: one a core. Reports do not depend on it
 };
 
 /// The exit code. Throws InputError.

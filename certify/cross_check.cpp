@@ -49,16 +49,51 @@ Agreement compare(const Verdict& verdict, const Decision& decision) {
   return Agreement::consistent;
 }
 
+namespace {
+
+void add(CheckedElement& element, const Criterion* criterion, Verdict verdict) {
+  CheckedCriterion checked{criterion, std::move(verdict), Agreement::consistent};
+  checked.agreement = compare(checked.verdict, element.decision);
+  element.agreement = std::max(element.agreement, checked.agreement);
+  element.criteria.push_back(std::move(checked));
+}
+
+// The net that answers by status alone, where the element has one.
+bool load(const Mesh& mesh, std::size_t i, QuickNet& net) {
+  if (!mesh.x.binary64() || !mesh.y.binary64() || mesh.rational(i)) return false;
+  const MeshElement& entry = mesh.elements[i];
+  return net.load(entry.shape, entry.basis, mesh.x.doubles(), mesh.y.doubles(),
+                  {mesh.connectivity.data() + entry.first_node, coefficient_count(entry.shape)});
+}
+
+}  // namespace
+
 CheckedElement check_element(const Element& element, std::span<const Criterion* const> chosen,
                              const Budget& budget) {
   const Forms forms(element);
   CheckedElement result;
   result.decision = decide(forms, budget);
-  for (const Criterion* criterion : chosen) {
-    CheckedCriterion checked{criterion, criterion->check(forms), Agreement::consistent};
-    checked.agreement = compare(checked.verdict, result.decision);
-    result.agreement = std::max(result.agreement, checked.agreement);
-    result.criteria.push_back(std::move(checked));
+  for (const Criterion* criterion : chosen) add(result, criterion, criterion->check(forms));
+  return result;
+}
+
+std::vector<CheckedElement> check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
+                                           std::span<const Criterion* const> chosen, const Budget& budget) {
+  std::vector<CheckedElement> result(end - begin);
+  QuickNet net;
+  for (std::size_t i = begin; i < end; ++i) {
+    CheckedElement& checked = result[i - begin];
+    const Element element = mesh.element(i);
+    const Forms forms(element);
+    checked.decision = decide(forms, budget);
+    if (chosen.empty()) continue;
+    checked.criteria.reserve(chosen.size());
+    const bool is_quick = load(mesh, i, net);
+    for (const Criterion* criterion : chosen) {
+      const std::optional<Status> status =
+          is_quick && criterion->quick ? criterion->quick(net) : std::nullopt;
+      add(checked, criterion, status ? begin_verdict(*criterion, *status) : criterion->check(forms));
+    }
   }
   return result;
 }

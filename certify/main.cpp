@@ -133,6 +133,11 @@ int run(int argc, char** argv) {
       ->add_option("--domain", check_options.domain,
                    "curves (.bez.json) that the mesh must conform to: each exactly covered by edges")
       ->option_text("CURVES");
+  check_command
+      ->add_option("--jobs", check_options.jobs,
+                   "threads (default: one a core); the report does not depend on their number")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
   add_budget(*check_command, check_options.budget);
 
   ExplainOptions explain_options;

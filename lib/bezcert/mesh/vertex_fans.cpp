@@ -18,16 +18,30 @@ Side side_of(int cross_sign, int dot_sign) {
   return dot_sign > 0 ? Side::along : Side::opposite;
 }
 
-// How often the directions, each less than half a turn after the one before, pass the reference direction: a
-// sector [d_k, d_k+1) holds it if d_k is along it, or leads from its right to its left.
-int passes(const std::vector<Side>& sides, bool closed) {
-  int count = 0;
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    if (!closed && k + 1 == sides.size()) break;
-    const Side next = sides[(k + 1) % sides.size()];
-    if (sides[k] == Side::along || (sides[k] == Side::right && next == Side::left)) ++count;
+// Whether a sector [d, e) of less than half a turn holds the reference direction: d is along it, or the
+// sector leads from its right to its left.
+bool passes(Side d, Side e) { return d == Side::along || (d == Side::right && e == Side::left); }
+
+// The corners of the fan that holds `corner`: how many, the first and the last of them (of a closed one any).
+struct FanEnds {
+  std::size_t count = 0;
+  EdgeUse first = no_edge, last = no_edge;
+  bool closed = false;
+};
+
+FanEnds fan_around(const MeshEdges& edges, const Gluing& gluing, EdgeUse corner) {
+  FanEnds fan{1, corner, corner, false};
+  for (;; ++fan.count) {  // counter-clockwise
+    const EdgeUse across = gluing.twin[edges.previous(fan.last)];
+    if (across == no_edge) break;
+    if (across == corner) {
+      fan.closed = true;
+      return fan;
+    }
+    fan.last = across;
   }
-  return count;
+  for (; gluing.twin[fan.first] != no_edge; ++fan.count) fan.first = edges.next(gluing.twin[fan.first]);
+  return fan;
 }
 
 struct Tangent {
@@ -39,11 +53,20 @@ class TurnCounter {
  public:
   explicit TurnCounter(const MeshEdges& edges) : edges_(edges) {}
 
-  // Full turns of a closed fan: the reference is +x.
-  int turns(const Fan& fan) const {
-    std::vector<Side> sides;
-    for (const EdgeUse corner : fan.corners) sides.push_back(side_of_x({corner, End::begin}));
-    return passes(sides, true);
+  // Full turns of a closed fan, from any of its corners on: the reference is +x. Nothing if it is open.
+  std::optional<int> turns(const Gluing& gluing, EdgeUse first) const {
+    int count = 0;
+    Side side = side_of_x({first, End::begin});
+    const Side first_side = side;
+    for (EdgeUse corner = first;;) {
+      corner = gluing.twin[edges_.previous(corner)];
+      if (corner == no_edge) return std::nullopt;
+      const bool around = corner == first;
+      const Side next = around ? first_side : side_of_x({corner, End::begin});
+      if (passes(side, next)) ++count;
+      if (around) return count;
+      side = next;
+    }
   }
 
   // Compares the angle of an open fan with a full turn: -1, 0, 1. The reference is its first direction.
@@ -55,12 +78,18 @@ class TurnCounter {
       sides.push_back(side_of_tangent(first, {fan.corners[k], End::begin}));
     }
     sides.push_back(side_of_tangent(first, {edges_.previous(fan.corners.back()), End::end}));
-    if (passes(sides, false) > 1) return 1;
+    int passed = 0;
+    for (std::size_t k = 0; k + 1 < sides.size(); ++k) passed += passes(sides[k], sides[k + 1]) ? 1 : 0;
+    if (passed > 1) return 1;
     return sides.back() == Side::along ? 0 : -1;
   }
 
  private:
   Side side_of_x(Tangent tangent) const {
+    if (const auto y = edges_.tangent_sign(tangent.use, tangent.end, 1)) {
+      if (*y != 0) return side_of(*y, 0);
+      if (const auto x = edges_.tangent_sign(tangent.use, tangent.end, 0)) return side_of(0, *x);
+    }
     const Vector2<Interval> t = edges_.interval_tangent(tangent.use, tangent.end);
     if (const auto y = certain_sign(t.y)) {
       if (*y != 0) return side_of(*y, 0);
@@ -178,13 +207,19 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
   const std::map<EdgeUse, EdgeUse> meant(gluing.meant.begin(), gluing.meant.end());
   for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
     if (corners.start[vertex] == corners.start[vertex + 1]) continue;
+    const FanEnds one = fan_around(edges, gluing, corners.corners[corners.start[vertex]]);
+    if (one.count == corners.start[vertex + 1] - corners.start[vertex]) {
+      if (one.closed) continue;
+      const EdgeUse arriving = edges.previous(one.last);
+      if (!gluing.faulty[arriving] && !gluing.faulty[one.first]) result.next_boundary[arriving] = one.first;
+      continue;
+    }
     const std::vector<Fan> fans = fans_of(edges, gluing, corners, vertex);
     for (const Fan& fan : fans) {
       const EdgeUse arriving = edges.previous(fan.corners.back());
       if (fan.closed || gluing.faulty[arriving] || gluing.faulty[fan.corners.front()]) continue;
       result.next_boundary[arriving] = fan.corners.front();
     }
-    if (fans.size() == 1) continue;
     if (result.bad[vertex] && !is_pinched(edges, gluing, meant, fans)) continue;
     result.bad[vertex] = true;
     if (!obstacles.wants(MeshVerdict::non_manifold)) {
@@ -218,10 +253,11 @@ void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVe
   };
   for (std::uint32_t vertex = 0; vertex < fans.bad.size(); ++vertex) {
     if (corners.start[vertex] == corners.start[vertex + 1] || fans.bad[vertex]) continue;
+    const std::optional<int> turns = counter.turns(gluing, corners.corners[corners.start[vertex]]);
+    if (turns == 1) continue;
     const Fan fan = fans_of(edges, gluing, corners, vertex).front();
-    if (fan.closed) {
-      const int turns = counter.turns(fan);
-      if (turns != 1) folded(vertex, fan, " wind " + std::to_string(turns) + " times around ");
+    if (turns) {
+      folded(vertex, fan, " wind " + std::to_string(*turns) + " times around ");
       continue;
     }
     const int more = counter.compare_with_turn(fan);
