@@ -60,16 +60,15 @@ std::vector<double> tangent_coefficients(Basis basis, std::size_t count) {
 }  // namespace
 
 MeshEdges::MeshEdges(const Mesh& mesh) : mesh_(mesh) {
-  first_.reserve(mesh.elements.size() + 1);
   shape_.reserve(mesh.elements.size());
   std::map<std::pair<Shape, Basis>, std::uint16_t> known;
   const MeshElement* last = nullptr;
-  std::size_t count = 0;
+  bool triangles = false, quadrilaterals = false;
   for (const MeshElement& element : mesh.elements) {
-    first_.push_back(static_cast<EdgeUse>(count));
     const int edges = element.shape.domain == Domain::triangle ? 3 : 4;
-    count += static_cast<std::size_t>(edges);
-    if (count >= no_edge) throw std::length_error("a mesh of more than 2^32 - 2 element edges");
+    (edges == 3 ? triangles : quadrilaterals) = true;
+    count_ += static_cast<std::size_t>(edges);
+    if (count_ >= no_edge) throw std::length_error("a mesh of more than 2^32 - 2 element edges");
     if (last && last->shape == element.shape && last->basis == element.basis) {
       shape_.push_back(shape_.back());
       continue;
@@ -87,11 +86,18 @@ MeshEdges::MeshEdges(const Mesh& mesh) : mesh_(mesh) {
       tables.tangent[at] = tangent_coefficients(element.basis, positions.size());
     }
   }
-  first_.push_back(static_cast<EdgeUse>(count));
-  element_.reserve(count);
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    element_.insert(element_.end(), first_[i + 1] - first_[i], static_cast<std::uint32_t>(i));
+  if (!triangles || !quadrilaterals) {
+    sides_ = triangles ? 3 : 4;
+    return;
   }
+  first_.reserve(mesh.elements.size() + 1);
+  element_.reserve(count_);
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    first_.push_back(static_cast<EdgeUse>(element_.size()));
+    const std::size_t edges = mesh.elements[i].shape.domain == Domain::triangle ? 3 : 4;
+    element_.insert(element_.end(), edges, static_cast<std::uint32_t>(i));
+  }
+  first_.push_back(static_cast<EdgeUse>(count_));
 }
 
 bool MeshEdges::equal_weights(const EdgeNodes& nodes) const {
@@ -213,7 +219,7 @@ Vector2<Interval> MeshEdges::interval_tangent(EdgeUse use, End end) const {
 std::optional<int> MeshEdges::tangent_sign(EdgeUse use, End end, int coordinate) const {
   const ExactVector& numbers = coordinate == 0 ? mesh_.x : mesh_.y;
   if (!numbers.binary64()) return std::nullopt;
-  const std::vector<double>& c = shapes_[shape_[element_[use]]].tangent[use - first_[element_[use]]];
+  const std::vector<double>& c = shapes_[shape_[element(use)]].tangent[static_cast<std::size_t>(edge(use))];
   if (c.empty()) return std::nullopt;
   const EdgeNodes along = end == End::begin ? nodes(use) : nodes(use).reversed();
   if (!mesh_.weights.empty() && basis(use) == Basis::lagrange && !equal_weights(along)) return std::nullopt;

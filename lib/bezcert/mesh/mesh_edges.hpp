@@ -2,7 +2,7 @@
 //
 // Edge i of an element leads from its corner i to the next, counter-clockwise in the domain, so that the
 // element lies on its left if it keeps the orientation. An edge that two elements share is two uses, one
-// each; the mesh's gluing.hpp says which. Only numbers are kept here (about 6 bytes a use): curves are made
+// each; the mesh's gluing.hpp says which. Only numbers are kept here (up to 8 bytes a use): curves are made
 // when asked for.
 #pragma once
 
@@ -73,30 +73,36 @@ class MeshEdges {
   explicit MeshEdges(const Mesh& mesh);
 
   const Mesh& mesh() const { return mesh_; }
-  std::size_t count() const { return element_.size(); }
+  std::size_t count() const { return count_; }
   std::size_t element_count() const { return mesh_.elements.size(); }
 
-  std::uint32_t element(EdgeUse use) const { return element_[use]; }
+  std::uint32_t element(EdgeUse use) const {
+    return sides_ == 3 ? use / 3 : sides_ == 4 ? use / 4 : element_[use];
+  }
   /// Edge number within the element.
-  int edge(EdgeUse use) const { return static_cast<int>(use - first_[element_[use]]); }
-  EdgeUse first(std::size_t element) const { return first_[element]; }
+  int edge(EdgeUse use) const { return static_cast<int>(use - first(element(use))); }
+  EdgeUse first(std::size_t element) const {
+    return sides_ != 0 ? static_cast<EdgeUse>(element * sides_) : first_[element];
+  }
   EdgeUse next(EdgeUse use) const {
-    return use + 1 == first_[element_[use] + 1] ? first_[element_[use]] : use + 1;
+    const std::uint32_t own = element(use);
+    return use + 1 == first(own + std::size_t{1}) ? first(own) : use + 1;
   }
   EdgeUse previous(EdgeUse use) const {
-    return use == first_[element_[use]] ? first_[element_[use] + 1] - 1 : use - 1;
+    const std::uint32_t own = element(use);
+    return use == first(own) ? first(own + std::size_t{1}) - 1 : use - 1;
   }
 
   /// The number the file gives the element of an edge.
-  std::uint64_t element_number(EdgeUse use) const { return mesh_.elements[element_[use]].tag; }
+  std::uint64_t element_number(EdgeUse use) const { return mesh_.elements[element(use)].tag; }
   /// The nodes along the edge; control points of it, or nodes that it interpolates.
   EdgeNodes nodes(EdgeUse use) const {
-    const std::uint32_t element = element_[use];
-    return {mesh_.connectivity.data() + mesh_.elements[element].first_node,
-            shapes_[shape_[element]].along[use - first_[element]]};
+    const std::uint32_t own = element(use);
+    return {mesh_.connectivity.data() + mesh_.elements[own].first_node,
+            shapes_[shape_[own]].along[use - first(own)]};
   }
   std::uint32_t begin_node(EdgeUse use) const { return nodes(use).front(); }
-  Basis basis(EdgeUse use) const { return mesh_.elements[element_[use]].basis; }
+  Basis basis(EdgeUse use) const { return mesh_.elements[element(use)].basis; }
   Point point(std::uint32_t node) const { return {mesh_.x[node], mesh_.y[node]}; }
 
   /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is
@@ -134,6 +140,8 @@ class MeshEdges {
   bool equal_weights(const EdgeNodes& nodes) const;
 
   const Mesh& mesh_;
+  std::size_t count_ = 0;
+  std::size_t sides_ = 0;       // of every element, if all have as many; else 0, and then
   std::vector<EdgeUse> first_;  // of each element, and the end
   std::vector<std::uint32_t> element_;
   std::vector<ShapeEdges> shapes_;

@@ -53,20 +53,19 @@ class TurnCounter {
  public:
   explicit TurnCounter(const MeshEdges& edges) : edges_(edges) {}
 
-  // Full turns of a closed fan, from any of its corners on: the reference is +x. Nothing if it is open.
-  std::optional<int> turns(const Gluing& gluing, EdgeUse first) const {
-    int count = 0;
-    Side side = side_of_x({first, End::begin});
-    const Side first_side = side;
-    for (EdgeUse corner = first;;) {
-      corner = gluing.twin[edges_.previous(corner)];
-      if (corner == no_edge) return std::nullopt;
-      const bool around = corner == first;
-      const Side next = around ? first_side : side_of_x({corner, End::begin});
-      if (passes(side, next)) ++count;
-      if (around) return count;
-      side = next;
+  // The number of sectors at each vertex that hold +x: of a closed fan, its full turns. Element by
+  // element, as memory has them: a sector's ends are the tangents of its own element.
+  std::vector<std::uint32_t> turns(const Gluing& gluing) const {
+    std::vector<std::uint32_t> result(edges_.mesh().x.size(), 0);
+    for (std::size_t element = 0; element < edges_.element_count(); ++element) {
+      const EdgeUse first = edges_.first(element), last = edges_.first(element + 1) - 1;
+      Side arriving = side_of_x({last, End::end});
+      for (EdgeUse use = first; use <= last; ++use) {
+        if (passes(side_of_x({use, End::begin}), arriving)) ++result[gluing.begin[use]];
+        if (use != last) arriving = side_of_x({use, End::end});
+      }
     }
+    return result;
   }
 
   // Compares the angle of an open fan with a full turn: -1, 0, 1. The reference is its first direction.
@@ -200,6 +199,7 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
   Fans result;
   const std::size_t vertices = edges.mesh().x.size();
   result.next_boundary.assign(edges.count(), no_edge);
+  result.open.assign(vertices, false);
   result.bad.assign(vertices, false);
   for (EdgeUse use = 0; use < edges.count(); ++use) {
     if (gluing.faulty[use]) result.bad[gluing.begin[use]] = result.bad[gluing.end(edges, use)] = true;
@@ -210,6 +210,7 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
     const FanEnds one = fan_around(edges, gluing, corners.corners[corners.start[vertex]]);
     if (one.count == corners.start[vertex + 1] - corners.start[vertex]) {
       if (one.closed) continue;
+      result.open[vertex] = true;
       const EdgeUse arriving = edges.previous(one.last);
       if (!gluing.faulty[arriving] && !gluing.faulty[one.first]) result.next_boundary[arriving] = one.first;
       continue;
@@ -245,6 +246,7 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
 void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
                  const Fans& fans, ObstacleList& obstacles) {
   const TurnCounter counter(edges);
+  const std::vector<std::uint32_t> turns = counter.turns(gluing);
   const auto folded = [&](std::uint32_t vertex, const Fan& fan, const std::string& what) {
     MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::folded_vertex, vertex, fan.corners);
     obstacle.message += what + node_text(edges, vertex);
@@ -253,13 +255,13 @@ void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVe
   };
   for (std::uint32_t vertex = 0; vertex < fans.bad.size(); ++vertex) {
     if (corners.start[vertex] == corners.start[vertex + 1] || fans.bad[vertex]) continue;
-    const std::optional<int> turns = counter.turns(gluing, corners.corners[corners.start[vertex]]);
-    if (turns == 1) continue;
-    const Fan fan = fans_of(edges, gluing, corners, vertex).front();
-    if (turns) {
-      folded(vertex, fan, " wind " + std::to_string(*turns) + " times around ");
+    if (!fans.open[vertex]) {
+      if (turns[vertex] == 1) continue;
+      folded(vertex, fans_of(edges, gluing, corners, vertex).front(),
+             " wind " + std::to_string(turns[vertex]) + " times around ");
       continue;
     }
+    const Fan fan = fans_of(edges, gluing, corners, vertex).front();
     const int more = counter.compare_with_turn(fan);
     if (more == 0) {
       // The edge that leaves must be left of the one that arrives, seen from the vertex. (Where they run
