@@ -2,9 +2,10 @@
 //
 //   decide_rate [TARGET_TRIANGLES [FIRST_ORDER LAST_ORDER]]
 //
-// "decide" are final verdicts with the bounds of det J that a report shows. Rates are the best of three, in one process, one
-// thread, the mesh in memory. Also: how many elements blocks, intervals and integers decided; what an element costs that
-// needs integers; rational triangles against polynomial ones; and time against the number of elements.
+// "decide" are final verdicts with the bounds of det J that a report shows. Rates are the best of three, in
+// one process, one thread, the mesh in memory. Also: how many elements blocks, intervals and integers
+// decided; what an element costs that needs integers; rational triangles against polynomial ones; and time
+// against the number of elements.
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
 #include "bezcert/mesh/mesh_decider.hpp"
@@ -46,14 +47,16 @@ struct Outcome {
 
 Outcome decide_all(const Mesh& mesh) {
   Outcome outcome;
-  outcome.counts = MeshDecider(mesh).decide_range(
-      0, mesh.elements.size(), [&](std::size_t, const Decision& decision) {
+  outcome.counts =
+      MeshDecider(mesh).decide_range(0, mesh.elements.size(), [&](std::size_t, const Decision& decision) {
         outcome.injective += decision.verdict == ElementVerdict::injective;
       });
   return outcome;
 }
 
-double to_double(const Dyadic& d) { return std::ldexp(static_cast<double>(d.mantissa), static_cast<int>(d.exponent)); }
+double to_double(const Dyadic& d) {
+  return std::ldexp(static_cast<double>(d.mantissa), static_cast<int>(d.exponent));
+}
 
 // The filter's failure rate, element by element.
 void count_failures(const Mesh& mesh, Outcome& outcome) {
@@ -89,7 +92,8 @@ void make_plate(double size, bool holes) {
     std::vector<std::pair<int, int>> disks;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
-        disks.emplace_back(2, gmsh::model::occ::addDisk(2 + 3 * i, 2 + 3 * j, 0, 0.6 + 0.1 * i, 0.6 + 0.1 * i));
+        disks.emplace_back(2,
+                           gmsh::model::occ::addDisk(2 + 3 * i, 2 + 3 * j, 0, 0.6 + 0.1 * i, 0.6 + 0.1 * i));
       }
     }
     std::vector<std::pair<int, int>> cut;
@@ -201,7 +205,8 @@ Mesh grid_mesh(int degree, std::size_t triangles, bool rational) {
         element.first_node = mesh.connectivity.size();
         const int i0 = (sign > 0 ? I : I + 1) * degree, j0 = (sign > 0 ? J : J + 1) * degree;
         for (int r = 0; r <= degree; ++r) {
-          for (int c = 0; c <= degree - r; ++c) mesh.connectivity.push_back(node(i0 + sign * c, j0 + sign * r));
+          for (int c = 0; c <= degree - r; ++c)
+            mesh.connectivity.push_back(node(i0 + sign * c, j0 + sign * r));
         }
         mesh.elements.push_back(element);
         if (mesh.elements.size() == triangles) return mesh;
@@ -250,7 +255,8 @@ void linearity() {
   for (const std::size_t count : {1000, 10000, 100000, 1000000}) {
     const Mesh mesh = grid_mesh(3, count, false);
     const double time = best_of_three([&] { decide_all(mesh); });
-    std::printf("  %8zu elements: %.6f s, %.0f ns each\n", count, time, time * 1e9 / static_cast<double>(count));
+    std::printf("  %8zu elements: %.6f s, %.0f ns each\n", count, time,
+                time * 1e9 / static_cast<double>(count));
     const double x = std::log(static_cast<double>(count)), y = std::log(time);
     sx += x, sy += y, sxx += x * x, sxy += x * y, ++points;
   }
