@@ -9,8 +9,6 @@
 // that getrusage reports for the child. Then curved triangles of order 3 in growing numbers: time against
 // size, with the fitted exponent.
 #include <gmsh.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -50,33 +48,21 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double seconds_of(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 Cost run_certify(const fs::path& mesh, const fs::path& report, const std::string& criteria, int jobs) {
-  const std::vector<std::string> words = {
-      CERTIFY, "check", "--format=jsonl", "--criteria=" + criteria, "--jobs=" + std::to_string(jobs), "-o",
-      report,  mesh};
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  const auto start = std::chrono::steady_clock::now();
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::execv(arguments[0], arguments.data());
-    ::_exit(127);
-  }
-  int status = 0;
-  rusage usage{};
-  ::wait4(child, &status, 0, &usage);
-  const double wall = seconds_since(start);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+  const std::string command =
+      std::string(MEASURED_RUN) + " " + CERTIFY + " check --format=jsonl --criteria=" + criteria +
+      " --jobs=" + std::to_string(jobs) + " -o " + report.string() + " " + mesh.string();
+  std::FILE* output = ::popen(command.c_str(), "r");
+  Cost cost;
+  double kilobytes = 0;
+  const bool read =
+      output != nullptr && std::fscanf(output, "%lf %lf %lf", &cost.wall, &cost.cpu, &kilobytes) == 3;
+  if (!read || ::pclose(output) != 0) {
     std::fprintf(stderr, "end_to_end: certify failed on %s\n", mesh.c_str());
     std::exit(1);
   }
-  return {wall, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
-          static_cast<double>(usage.ru_maxrss) / 1024};
+  cost.megabytes = kilobytes / 1024;
+  return cost;
 }
 
 template <class Work>
