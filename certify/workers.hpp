@@ -3,6 +3,7 @@
 // Nothing that is computed depends on how many there are. With one job everything runs on the calling thread.
 #pragma once
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/parallel_pipeline.h>
@@ -19,7 +20,11 @@ class Workers {
   /// 0: as many as there are cores.
   explicit Workers(int jobs) {
     if (jobs == 0) jobs = oneapi::tbb::info::default_concurrency();
-    if (jobs > 1) arena_.emplace(jobs);
+    if (jobs > 1) {
+      // More than there are cores too: without this the library warns on standard error.
+      limit_.emplace(oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
+      arena_.emplace(jobs);
+    }
     jobs_ = static_cast<std::size_t>(std::max(jobs, 1));
   }
 
@@ -82,6 +87,7 @@ class Workers {
 
  private:
   std::size_t jobs_ = 1;
+  std::optional<oneapi::tbb::global_control> limit_;
   std::optional<oneapi::tbb::task_arena> arena_;
 };
 

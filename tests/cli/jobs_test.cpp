@@ -24,6 +24,7 @@ TEST_CASE("reports are the same for every number of threads") {
   for (const char* at : {"/corpus/meshes", "/corpus/whole"}) {
     for (const auto& entry : std::filesystem::directory_iterator(std::string(BEZCERT_SOURCE_DIR) + at)) {
       const std::string path = entry.path();
+      if (path.find("/curves-") != std::string::npos) continue;  // no meshes
       if (path.ends_with(".msh") || path.ends_with(".bez.json")) meshes.push_back(path);
     }
   }

@@ -21,8 +21,9 @@ Mesh random_mesh(Random& random) {
   const int p = static_cast<int>(random.integer(1, 7));
   const Shape shape{triangle ? Domain::triangle : Domain::square, p,
                     triangle ? 0 : static_cast<int>(random.integer(1, 4))};
+  const bool bent = random.chance(50);
   const bool level =
-      random.chance(40);  // parabolas: tangents nearly along the axis, as differences of larger terms
+      random.chance(40);  // tangents nearly along an axis: straight, or as differences of larger terms
   const double origin = random.chance(30) ? random.any_double(0, 30) : 0;
   for (int r = 0; r < row_count(shape); ++r) {
     for (int c = 0; c < column_count(shape, r); ++c) {
@@ -31,8 +32,10 @@ Mesh random_mesh(Random& random) {
         x += random.any_double(-4, 0);
         y += random.any_double(-4, 0);
       } else {
-        x += 0.1 * r * r / (p * p);
-        y += 0.1 * c * c / (p * p);
+        if (bent) {
+          x += 0.1 * r * r / (p * p);
+          y += 0.1 * c * c / (p * p);
+        }
         if (random.chance(50)) y = std::nextafter(y, random.chance(50) ? 1e300 : -1e300);
       }
       mesh.x.push_back(x);
