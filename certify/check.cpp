@@ -7,6 +7,7 @@
 #include "exit_code.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "workers.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -41,18 +42,77 @@ DomainSummary check_domain_of(const Mesh& mesh, const std::string& file, std::sp
   return result;
 }
 
+// Elements that one thread decides at a time.
+constexpr std::size_t block_size = 256;
+
+struct CheckedBlock {
+  std::size_t first = 0;
+  std::vector<CheckedElement> elements;
+  std::vector<ElementClaim> claims;  // if a certificate is asked for
+  std::string report;
+};
+
+CheckedBlock check_block(const Mesh& mesh, std::size_t begin, std::size_t end, const CheckOptions& options,
+                         const Report& report) {
+  CheckedBlock block{begin, check_elements(mesh, begin, end, options.criteria, options.budget), {}};
+  block.report.reserve(block.elements.size() * 384);
+  for (std::size_t i = begin; i < end; ++i) report.element(mesh, i, block.elements[i - begin], block.report);
+  if (options.certificate.empty()) return block;
+  for (std::size_t i = begin; i < end; ++i) {
+    block.claims.push_back(claim_of(mesh, i, block.elements[i - begin].decision));
+  }
+  return block;
+}
+
+// Adds a block to the report and to what is known of the mesh; blocks come in mesh order.
+void take_block(const std::string& input, const Mesh& mesh, const CheckedBlock& block, Summary& summary,
+                std::vector<ElementState>& states, Report& report, std::optional<CertificateWriter>& proof) {
+  report.write(block.report);
+  for (const ElementClaim& claim : block.claims) proof->element(claim);
+  for (std::size_t k = 0; k < block.elements.size(); ++k) {
+    const CheckedElement& checked = block.elements[k];
+    summary.add(checked);
+    states.push_back(state_of(checked.decision));
+    if (std::any_of(checked.criteria.begin(), checked.criteria.end(),
+                    [](const CheckedCriterion& one) { return one.is_defect(); })) {
+      const std::size_t i = block.first + k;
+      write_reproducer(input, mesh.elements[i], mesh.element(i), checked);
+    }
+  }
+}
+
+struct Input {
+  Mesh mesh;
+  std::string sha256;
+  bool is_json = false;
+};
+
+Input read_input(const std::string& input, const ReadOptions& options, Workers& workers) {
+  const std::string bytes = read_file(input);
+  Input result;
+  result.is_json = bytes.find('{') == bytes.find_first_not_of(" \t\r\n");
+  ReadOptions with_threads = options;
+  if (workers.jobs() > 1) {
+    with_threads.parallel = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
+      workers.each(count, work);
+    };
+  }
+  workers.both([&] { result.mesh = read_mesh(input, bytes, with_threads); },
+               [&] { result.sha256 = sha256(bytes); });
+  return result;
+}
+
 // What a certificate says of its elements file: the input itself if `verifier` reads it, or the file written
 // for it.
-CertificateHeader header_of(const std::string& input, const std::string& bytes, const std::string& digest,
-                            const Mesh& mesh, const CheckOptions& options) {
-  CertificateHeader header{digest, mesh.basis_name, mesh.numbers, mesh.elements.size()};
-  const bool is_json = bytes[bytes.find_first_not_of(" \t\r\n")] == '{';
+CertificateHeader header_of(const std::string& name, const Input& input, const CheckOptions& options) {
+  const Mesh& mesh = input.mesh;
+  CertificateHeader header{input.sha256, mesh.basis_name, mesh.numbers, mesh.elements.size()};
   if (!options.elements.empty()) header.elements_sha256 = sha256(read_file(options.elements));
-  if (!options.elements.empty() || is_json) {
+  if (!options.elements.empty() || input.is_json) {
     header.basis = "mixed";
     header.numbers = Numbers::decimal;
   } else if (mesh.elements.front().line == 0) {
-    throw InputError(input, 0,
+    throw InputError(name, 0,
                      "is binary, which verifier does not read: expected --elements=FILE beside --certificate "
                      "(the mesh as exact .bez.json), or an ASCII .msh");
   }
@@ -60,38 +120,37 @@ CertificateHeader header_of(const std::string& input, const std::string& bytes, 
 }
 
 Summary check_mesh(const std::string& input, const CheckOptions& options, std::span<const InputCurve> curves,
-                   Report& report, std::ostream* certificate) {
+                   Workers& workers, Report& report, std::ostream* certificate) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string bytes = read_file(input);
-  const Mesh mesh = read_mesh(input, bytes, options.read);
-  const std::string digest = sha256(bytes);
+  const Input read = read_input(input, options.read, workers);
+  const Mesh& mesh = read.mesh;
   if (!options.elements.empty()) {
     write_file(options.elements, [&](std::ostream& stream) { write_bez_json(stream, mesh); });
   }
   std::optional<CertificateWriter> proof;
-  if (certificate != nullptr) proof.emplace(*certificate, header_of(input, bytes, digest, mesh, options));
-  report.begin(input, digest, mesh);
+  if (certificate != nullptr) proof.emplace(*certificate, header_of(input, read, options));
+  report.begin(input, read.sha256, mesh);
 
   Summary summary;
   summary.criteria = options.criteria;
   summary.by_criterion.resize(options.criteria.size());
   std::vector<ElementState> states;
   states.reserve(mesh.elements.size());
-  Progress progress(input, mesh.elements.size());
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    const Element element = mesh.element(i);
-    const CheckedElement checked = check_element(element, options.criteria, options.budget);
-    summary.add(checked);
-    states.push_back(state_of(checked.decision));
-    report.element(mesh, i, element, checked);
-    if (proof) proof->element(element, checked.decision);
-    if (std::any_of(checked.criteria.begin(), checked.criteria.end(),
-                    [](const CheckedCriterion& one) { return one.is_defect(); })) {
-      write_reproducer(input, mesh.elements[i], element, checked);
-    }
-    progress.done(i + 1);
-  }
-  summary.mesh = examine_mesh(mesh, states, {options.budget.contact, std::nullopt});
+  std::optional<MeshTopology> topology;
+  workers.both([&] { topology.emplace(mesh); },
+               [&] {
+                 Progress progress(input, mesh.elements.size());
+                 workers.in_order(
+                     mesh.elements.size(), block_size,
+                     [&](std::size_t begin, std::size_t end) {
+                       return check_block(mesh, begin, end, options, report);
+                     },
+                     [&](const CheckedBlock& block) {
+                       take_block(input, mesh, block, summary, states, report, proof);
+                       progress.done(states.size());
+                     });
+               });
+  summary.mesh = examine_mesh(std::move(*topology), states, {options.budget.contact, std::nullopt});
   if (proof) {
     proof->mesh(mesh, summary.mesh);
     if (proof->without_evidence() > 0) {
@@ -129,9 +188,11 @@ int check_all(const CheckOptions& options, std::ostream& stream, std::ostream* c
   const auto report = options.format == "jsonl" ? make_jsonl_report(stream) : make_text_report(stream);
   std::vector<InputCurve> curves;
   if (!options.domain.empty()) curves = read_bez_json_curves(options.domain, read_file(options.domain));
+  Workers workers(options.jobs);
   int code = exit_certified;
   for (const std::string& input : options.meshes) {
-    code = worse(code, exit_code_of(check_mesh(input, options, curves, *report, certificate), options));
+    code =
+        worse(code, exit_code_of(check_mesh(input, options, curves, workers, *report, certificate), options));
   }
   return code;
 }

@@ -22,6 +22,7 @@ struct CheckOptions {
   std::string elements;         ///< where to write the mesh as exact .bez.json; empty: none. One mesh only.
   bool fail_on_undecided = true;
   Budget budget;
+  int jobs = 0;  ///< threads; 0: one a core. Reports do not depend on it
 };
 
 /// The exit code. Throws InputError.

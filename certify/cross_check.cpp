@@ -1,5 +1,7 @@
 #include "cross_check.hpp"
 
+#include "bezcert/mesh/mesh_decider.hpp"
+
 #include <algorithm>
 
 namespace bezcert::certify {
@@ -49,16 +51,72 @@ Agreement compare(const Verdict& verdict, const Decision& decision) {
   return Agreement::consistent;
 }
 
+namespace {
+
+void add(CheckedElement& element, const Criterion* criterion, Verdict verdict) {
+  CheckedCriterion checked{criterion, std::move(verdict), Agreement::consistent};
+  checked.agreement = compare(checked.verdict, element.decision);
+  element.agreement = std::max(element.agreement, checked.agreement);
+  element.criteria.push_back(std::move(checked));
+}
+
+// An element with its number forms, copied out of the mesh when it is needed.
+class FullForms {
+ public:
+  FullForms(const Mesh& mesh, std::size_t i) : mesh_(mesh), i_(i) {}
+
+  const Forms& get() {
+    if (!element_) {
+      element_ = mesh_.element(i_);
+      forms_.emplace(*element_);
+    }
+    return *forms_;
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::size_t i_;
+  std::optional<Element> element_;
+  std::optional<Forms> forms_;
+};
+
+// The net that answers by status alone, where the element has one.
+bool load(const Mesh& mesh, std::size_t i, QuickNet& net) {
+  if (!mesh.x.binary64() || !mesh.y.binary64() || mesh.rational(i)) return false;
+  const MeshElement& entry = mesh.elements[i];
+  return net.load(entry.shape, entry.basis, mesh.x.doubles(), mesh.y.doubles(),
+                  {mesh.connectivity.data() + entry.first_node, coefficient_count(entry.shape)});
+}
+
+}  // namespace
+
 CheckedElement check_element(const Element& element, std::span<const Criterion* const> chosen,
                              const Budget& budget) {
   const Forms forms(element);
   CheckedElement result;
   result.decision = decide(forms, budget);
-  for (const Criterion* criterion : chosen) {
-    CheckedCriterion checked{criterion, criterion->check(forms), Agreement::consistent};
-    checked.agreement = compare(checked.verdict, result.decision);
-    result.agreement = std::max(result.agreement, checked.agreement);
-    result.criteria.push_back(std::move(checked));
+  for (const Criterion* criterion : chosen) add(result, criterion, criterion->check(forms));
+  return result;
+}
+
+std::vector<CheckedElement> check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
+                                           std::span<const Criterion* const> chosen, const Budget& budget) {
+  std::vector<CheckedElement> result(end - begin);
+  MeshDecider(mesh, budget).decide_range(begin, end, [&](std::size_t i, const Decision& decision) {
+    result[i - begin].decision = decision;
+  });
+  if (chosen.empty()) return result;
+  QuickNet net;
+  for (std::size_t i = begin; i < end; ++i) {
+    CheckedElement& checked = result[i - begin];
+    checked.criteria.reserve(chosen.size());
+    const bool is_quick = load(mesh, i, net);
+    FullForms forms(mesh, i);
+    for (const Criterion* criterion : chosen) {
+      const std::optional<Status> status =
+          is_quick && criterion->quick ? criterion->quick(net) : std::nullopt;
+      add(checked, criterion, status ? begin_verdict(*criterion, *status) : criterion->check(forms.get()));
+    }
   }
   return result;
 }

@@ -46,6 +46,11 @@ struct CheckedElement {
 CheckedElement check_element(const Element& element, std::span<const Criterion* const> chosen,
                              const Budget& budget);
 
+/// The same for elements begin ... end - 1 of a mesh, but verdicts of criteria need have no more than their
+/// status.
+std::vector<CheckedElement> check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
+                                           std::span<const Criterion* const> chosen, const Budget& budget);
+
 /// Whether the element is certainly not certifiable: an invalid verdict, or undecided with a witness that
 /// det J <= 0 somewhere.
 bool certainly_invalid(const Decision& decision);

@@ -141,6 +141,11 @@ int run(int argc, char** argv) {
       ->add_option("--elements", check_options.elements,
                    "write the mesh exactly, as .bez.json, to FILE; a certificate is then about that file")
       ->option_text("FILE");
+  check_command
+      ->add_option("--jobs", check_options.jobs,
+                   "threads (default: one a core); the report does not depend on their number")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
   add_budget(*check_command, check_options.budget);
 
   ExplainOptions explain_options;

@@ -2,6 +2,8 @@
 
 #include "bezcert/io/printable.hpp"
 
+#include <ostream>
+
 namespace bezcert::certify {
 namespace {
 
@@ -53,6 +55,10 @@ void Summary::add(const CheckedElement& checked) {
     if (one.is_finding()) ++findings;
     if (one.is_defect()) ++defects;
   }
+}
+
+void Report::write(const std::string& text) {
+  stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
 std::string element_title(const std::string& input, const Mesh& mesh, std::size_t index) {

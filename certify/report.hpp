@@ -1,6 +1,7 @@
 // What a check of one mesh adds up to, and the two ways it is written.
 //
-// Both writers get the mesh, then every element in mesh order, then the summary; neither keeps elements.
+// Both writers get the mesh, then every element in mesh order, then the summary; neither keeps elements. What
+// they say of an element is a function of it alone, so that threads can prepare it.
 #pragma once
 
 #include "bezcert/mesh/domain.hpp"
@@ -53,11 +54,18 @@ struct Summary {
 
 class Report {
  public:
+  explicit Report(std::ostream& stream) : stream_(stream) {}
   virtual ~Report() = default;
   virtual void begin(const std::string& input, const std::string& sha256, const Mesh& mesh) = 0;
-  virtual void element(const Mesh& mesh, std::size_t index, const Element& element,
-                       const CheckedElement& checked) = 0;
+  /// Appends what is said of an element to `text`; `write` is to get it, in mesh order. Between begin and
+  /// end, from any thread.
+  virtual void element(const Mesh& mesh, std::size_t index, const CheckedElement& checked,
+                       std::string& text) const = 0;
+  void write(const std::string& text);
   virtual void end(const Mesh& mesh, const Summary& summary) = 0;
+
+ protected:
+  std::ostream& stream_;
 };
 
 std::unique_ptr<Report> make_text_report(std::ostream& stream);

@@ -8,23 +8,24 @@ namespace {
 
 class TextReport : public Report {
  public:
-  explicit TextReport(std::ostream& stream) : stream_(stream) {}
+  using Report::Report;
 
   void begin(const std::string& input, const std::string&, const Mesh&) override { input_ = input; }
 
-  void element(const Mesh& mesh, std::size_t index, const Element&, const CheckedElement& checked) override {
+  void element(const Mesh& mesh, std::size_t index, const CheckedElement& checked,
+               std::string& text) const override {
     const bool good = checked.decision.verdict == ElementVerdict::injective;
     if (good && checked.agreement != Agreement::contradiction) return;
     const std::string title = element_title(input_, mesh, index);
-    if (!good) stream_ << title << ": " << describe(checked.decision) << '\n';
+    const auto add = [&](auto... parts) { (text.append(parts), ...); };
+    if (!good) add(title, ": ", describe(checked.decision), "\n");
     for (const CheckedCriterion& one : checked.criteria) {
       if (one.agreement != Agreement::contradiction) continue;
-      const bool finding = one.is_finding();
-      stream_ << title << (finding ? ": finding: " : ": CONTRADICTION (a defect of bezcert): ")
-              << one.criterion->name << " (" << one.criterion->theorem << ", "
-              << name(one.criterion->standing) << ") says " << name(one.verdict.status) << " "
-              << name(one.criterion->claim) << ", but the element is " << name(checked.decision.verdict)
-              << '\n';
+      add(title,
+          one.is_finding() ? ": finding: " : ": CONTRADICTION (a defect of bezcert): ", one.criterion->name,
+          " (", one.criterion->theorem, ", ", name(one.criterion->standing), ") says ",
+          name(one.verdict.status), " ", name(one.criterion->claim), ", but the element is ",
+          name(checked.decision.verdict), "\n");
     }
   }
 
@@ -68,7 +69,6 @@ class TextReport : public Report {
     stream_ << '\n';
   }
 
-  std::ostream& stream_;
   std::string input_;
 };
 

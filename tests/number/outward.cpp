@@ -227,3 +227,22 @@ TEST_CASE("the double interval of a number decides nearly always at the precisio
   }
   CHECK(decided > 4990);
 }
+
+TEST_CASE("a dyadic number is appended as the rational it is") {
+  const std::uint64_t seed = seed_or(77);
+  Random random(seed);
+  int whole = 0, long_ones = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Dyadic d{random.integer(-2048, 2048), random.integer(-80, 10)};
+    if (random.chance(5)) d.exponent = random.integer(-2000, 2000);
+    if (random.chance(5)) d.mantissa = random.integer(-(1L << 40), 1L << 40) << random.integer(0, 20);
+    std::string text = "x";
+    append(d, text);
+    INFO("seed " << seed << " case " << i << ": " << d.mantissa << " * 2^" << d.exponent);
+    REQUIRE(text == "x" + to_string(to_rational(d)));
+    if (text.find('/') == std::string::npos) ++whole;
+    if (text.size() > 40) ++long_ones;
+  }
+  CHECK(whole > 500);
+  CHECK(long_ones > 300);
+}

@@ -14,13 +14,6 @@ namespace {
 
 using Evidence = std::optional<std::string>;
 
-// A claim with its evidence, and whether it says all that the decision does.
-struct ElementClaim {
-  std::string text = "undecided";
-  ElementState state = ElementState::open;
-  bool full = false;
-};
-
 Evidence injective_evidence(const Forms& forms, const Decision& decision) {
   if (decision.injectivity_proof == "jacobian_hull") return "hull";
   if (decision.injectivity_proof == "boundary") return boundary_evidence(forms);
@@ -102,6 +95,17 @@ ElementClaim claim_of(const Element& element, const Decision& decision) {
 
 }  // namespace
 
+ElementClaim claim_of(const Mesh& mesh, std::size_t i, const Decision& decision) {
+  // The ordinary case needs no element.
+  if (decision.verdict == ElementVerdict::injective && decision.sign_proof == "coefficients" &&
+      decision.injectivity_proof != "boundary") {
+    const std::string proof(decision.injectivity_proof == "jacobian_hull" ? "hull"
+                                                                          : decision.injectivity_proof);
+    return {"injective coefficients " + proof, ElementState::injective, true};
+  }
+  return claim_of(mesh.element(i), decision);
+}
+
 CertificateWriter::CertificateWriter(std::ostream& stream, const CertificateHeader& header)
     : stream_(stream), count_(header.count) {
   stream_ << "bezcert-certificate 1\nelements " << header.elements_sha256 << "\nbasis " << header.basis
@@ -110,9 +114,8 @@ CertificateWriter::CertificateWriter(std::ostream& stream, const CertificateHead
   claims_.reserve(count_);
 }
 
-void CertificateWriter::element(const Element& element, const Decision& decision) {
+void CertificateWriter::element(const ElementClaim& claim) {
   if (claims_.size() == count_) throw std::logic_error("certificate: more elements than its header says");
-  const ElementClaim claim = claim_of(element, decision);
   claims_.push_back(claim.state);
   if (!claim.full) ++without_evidence_;
   stream_ << claims_.size() << ' ' << claim.text << '\n';

@@ -22,15 +22,25 @@ struct CertificateHeader {
   std::size_t count = 0;  ///< elements
 };
 
+/// A claim about one element with its evidence.
+struct ElementClaim {
+  std::string text = "undecided";
+  ElementState state = ElementState::open;  ///< what it says of the element
+  bool full = false;                        ///< whether it says all that the decision does
+};
+
+/// The claim that a decision allows. Precondition: `decision` is decide's of the mesh's i-th element. Claims
+/// of different elements can be made on different threads.
+ElementClaim claim_of(const Mesh& mesh, std::size_t i, const Decision& decision);
+
 /// Writes a certificate line by line: every element in mesh order, then the mesh.
 class CertificateWriter {
  public:
   /// Writes the header. Keeps a reference to `stream`.
   CertificateWriter(std::ostream& stream, const CertificateHeader& header);
 
-  /// The claim of the next element. Preconditions: `decision` is decide's of this element; no more elements
-  /// than the header says.
-  void element(const Element& element, const Decision& decision);
+  /// The claim of the next element. Throws std::logic_error beyond the number that the header says.
+  void element(const ElementClaim& claim);
 
   /// The claim of the mesh and the end. Preconditions: `result` is examine_mesh's; all elements were written.
   void mesh(const Mesh& mesh, const MeshResult& result);

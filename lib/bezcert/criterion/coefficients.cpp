@@ -22,4 +22,11 @@ Verdict coefficients(const Forms& forms) {
   return verdict;
 }
 
+std::optional<Status> quick_coefficients(const QuickNet& net) {
+  const QuickNet::NumeratorSigns signs = net.numerator_signs();
+  if (!signs.certain) return std::nullopt;
+  if (signs.all_positive) return Status::proved;
+  return signs.corners_positive ? Status::inconclusive : Status::refuted;
+}
+
 }  // namespace bezcert

@@ -9,10 +9,11 @@ namespace bezcert {
 
 /// Checks the coefficients of N on the whole element. Applies to every element.
 Verdict coefficients(const Forms& forms);
+std::optional<Status> quick_coefficients(const QuickNet& net);
 
 inline constexpr Criterion coefficients_info{
-    "coefficients", "DOS99, EE20",   "Bernstein coefficients of N >= 0 and corner ones > 0 => det J > 0",
-    Claim::regular, Standing::sound, false,
-    coefficients};
+    "coefficients", "DOS99, EE20",     "Bernstein coefficients of N >= 0 and corner ones > 0 => det J > 0",
+    Claim::regular, Standing::sound,   false,
+    coefficients,   quick_coefficients};
 
 }  // namespace bezcert

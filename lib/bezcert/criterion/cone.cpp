@@ -169,6 +169,42 @@ class EdgeCheck {
   int n_;
 };
 
+// The five conditions for equal weights: then p'_i = p_i, and the red cone is the blue one.
+bool holds_plainly(const QuickNet& net, int edge) {
+  const int n = net.degree();
+  const auto at = [&](int i, int j) {
+    Exponents e{};
+    e[edge] = n - i - j;
+    e[(edge + 1) % 3] = j;
+    e[(edge + 2) % 3] = i;
+    return triangle_index(n, e);
+  };
+  const std::size_t from = n == 1 ? at(0, 0) : at(1, 0), to = n == 1 ? at(0, 1) : at(1, n - 1);
+  for (int k = 0; k < n; ++k) {
+    if (net.forward(from, to, at(0, k), at(0, k + 1)) <= 0) return false;
+  }
+  for (int i = 0; i < n; ++i) {
+    if (net.turn(from, to, at(0, i), at(1, i)) <= 0) return false;
+    for (int k = 0; k < n; ++k) {
+      if (net.turn(at(0, k), at(0, k + 1), at(0, i), at(1, i)) <= 0) return false;
+    }
+  }
+  const auto same_direction = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    return net.turn(a, b, c, d) == 0 && net.forward(a, b, c, d) > 0;
+  };
+  for (int i = 1; i < n; ++i) {
+    for (int j = 0; i + j < n; ++j) {
+      if (!same_direction(at(i, j), at(i, j + 1), from, to)) return false;
+    }
+  }
+  for (int i = 1; i < n; ++i) {
+    for (int j = 0; i + j < n; ++j) {
+      if (!same_direction(at(i, j), at(i + 1, j), at(0, 0), at(1, 0))) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Verdict cone(const Forms& forms) {
@@ -191,6 +227,13 @@ Verdict cone(const Forms& forms) {
   verdict.status = Status::inconclusive;
   verdict.reason = reasons;
   return verdict;
+}
+
+std::optional<Status> quick_cone(const QuickNet& net) {
+  for (int edge = 0; edge < 3; ++edge) {
+    if (holds_plainly(net, edge)) return Status::proved;
+  }
+  return Status::inconclusive;
 }
 
 }  // namespace bezcert

@@ -17,6 +17,7 @@ namespace bezcert {
 /// Tries each edge as the curve edge; if all fail, `reason` names the failing condition for each edge.
 /// `not_applicable` to quadrilaterals.
 Verdict cone(const Forms& forms);
+std::optional<Status> quick_cone(const QuickNet& net);
 
 inline constexpr Criterion cone_info{"cone",
                                      "KMC22 Theorem 1 with Definition 5",
@@ -24,6 +25,7 @@ inline constexpr Criterion cone_info{"cone",
                                      Claim::injective,
                                      Standing::claimed,
                                      true,
-                                     cone};
+                                     cone,
+                                     quick_cone};
 
 }  // namespace bezcert

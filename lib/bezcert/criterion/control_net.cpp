@@ -36,4 +36,16 @@ Verdict control_net(const Forms& forms) {
   return verdict;
 }
 
+std::optional<Status> quick_control_net(const QuickNet& net) {
+  const Shape shape{Domain::triangle, net.degree(), 0};
+  for (int r = 0; r < shape.p; ++r) {
+    for (int c = 0; c < shape.p - r; ++c) {
+      const int turn = net.orientation(coefficient_index(shape, r, c), coefficient_index(shape, r, c + 1),
+                                       coefficient_index(shape, r + 1, c));
+      if (turn <= 0) return Status::inconclusive;
+    }
+  }
+  return Status::proved;
+}
+
 }  // namespace bezcert

@@ -11,6 +11,7 @@ namespace bezcert {
 
 /// Checks every upright control triangle. `not_applicable` to quadrilaterals and to unequal weights.
 Verdict control_net(const Forms& forms);
+std::optional<Status> quick_control_net(const QuickNet& net);
 
 inline constexpr Criterion control_net_info{
     "control-net",
@@ -19,6 +20,7 @@ inline constexpr Criterion control_net_info{
     Claim::regular,
     Standing::claimed,
     true,
-    control_net};
+    control_net,
+    quick_control_net};
 
 }  // namespace bezcert

@@ -4,9 +4,11 @@
 // registry.cpp.
 #pragma once
 
+#include "bezcert/criterion/quick_net.hpp"
 #include "bezcert/element/forms.hpp"
 #include "bezcert/proof/verdict.hpp"
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -18,6 +20,8 @@ enum class Standing { sound, claimed };
 std::string_view name(Standing standing);
 
 using Check = Verdict (*)(const Forms&);
+/// The status alone, or nothing if this net does not tell it.
+using QuickCheck = std::optional<Status> (*)(const QuickNet&);
 
 struct Criterion {
   std::string_view name;
@@ -30,6 +34,8 @@ struct Criterion {
   /// Whether a counterexample is known (then it is in the corpus).
   bool refuted;
   Check check;
+  /// The status that `check` gives, without reason or witness: reports need no more, and it is much faster.
+  QuickCheck quick = nullptr;
 };
 
 /// The verdict that a check starts from: the criterion's name and claim, no evidence yet.

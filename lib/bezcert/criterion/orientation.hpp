@@ -10,6 +10,7 @@ namespace bezcert {
 
 /// Checks all non-collinear triples: O(degree^6). `not_applicable` to quadrilaterals.
 Verdict orientation_condition(const Forms& forms);
+std::optional<Status> quick_orientation(const QuickNet& net);
 
 inline constexpr Criterion orientation_info{
     "orientation",
@@ -18,6 +19,7 @@ inline constexpr Criterion orientation_info{
     Claim::injective,
     Standing::sound,
     false,
-    orientation_condition};
+    orientation_condition,
+    quick_orientation};
 
 }  // namespace bezcert

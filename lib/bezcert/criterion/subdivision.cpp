@@ -134,4 +134,11 @@ Verdict subdivision(const Forms& forms, const SubdivisionOptions& options) {
   return verdict;
 }
 
+std::optional<Status> quick_subdivision(const QuickNet& net) {
+  const QuickNet::NumeratorSigns signs = net.numerator_signs();
+  if (!signs.certain) return std::nullopt;
+  if (!signs.corners_positive) return Status::refuted;
+  return signs.all_positive ? std::optional(Status::proved) : std::nullopt;
+}
+
 }  // namespace bezcert

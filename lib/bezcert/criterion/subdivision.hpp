@@ -19,6 +19,10 @@ struct SubdivisionOptions {
 /// Applies to every element; sets `bounds`. Throws std::invalid_argument if the width is not positive.
 Verdict subdivision(const Forms& forms, const SubdivisionOptions& options = {});
 
+/// Only the first piece, the whole element: children of a piece that proves det J > 0 prove it as well (their
+/// coefficients are means of its own, and N > 0 at their corners), so cutting changes bounds only.
+std::optional<Status> quick_subdivision(const QuickNet& net);
+
 inline constexpr Criterion subdivision_info{
     "subdivision",
     "adaptive Bernstein subdivision",
@@ -26,6 +30,7 @@ inline constexpr Criterion subdivision_info{
     Claim::regular,
     Standing::sound,
     false,
-    [](const Forms& forms) { return subdivision(forms); }};
+    [](const Forms& forms) { return subdivision(forms); },
+    quick_subdivision};
 
 }  // namespace bezcert

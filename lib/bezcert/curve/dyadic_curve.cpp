@@ -26,6 +26,12 @@ DyadicCurve::DyadicCurve(std::optional<CurveNet<Interval>> interval, CurveNet<In
   nodes_.push_back(std::move(root));
 }
 
+DyadicCurve::DyadicCurve(CurveNet<Interval> interval, std::function<CurveNet<Integer>()> make_exact)
+    : make_exact_(std::move(make_exact)) {
+  if (interval.size() < 2) throw std::invalid_argument("DyadicCurve: at least two control points");
+  nodes_.emplace_back().interval = std::move(interval);
+}
+
 Rational DyadicCurve::lower(Piece piece) const {
   return Rational(nodes_[piece].position) * power_of_two(-nodes_[piece].depth);
 }
@@ -61,6 +67,9 @@ const CurveNet<T>& DyadicCurve::net(std::optional<CurveNet<T>> Node::*form, Piec
 }
 
 const CurveNet<Interval>& DyadicCurve::interval(Piece piece) { return net(&Node::interval, piece); }
-const CurveNet<Integer>& DyadicCurve::exact(Piece piece) { return net(&Node::exact, piece); }
+const CurveNet<Integer>& DyadicCurve::exact(Piece piece) {
+  if (!nodes_[whole].exact) nodes_[whole].exact = make_exact_();
+  return net(&Node::exact, piece);
+}
 
 }  // namespace bezcert

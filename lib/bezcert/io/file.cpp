@@ -2,6 +2,7 @@
 
 #include "bezcert/io/input_error.hpp"
 
+#include <fcntl.h>
 #include <openssl/evp.h>
 #include <unistd.h>
 
@@ -12,22 +13,41 @@
 #include <fstream>
 
 namespace bezcert {
+namespace {
+
+struct Descriptor {
+  int number;
+
+  explicit Descriptor(int opened) : number(opened) {}
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+};
+
+}  // namespace
 
 std::string read_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (error || !std::filesystem::exists(status)) throw InputError(path, 0, "no such file");
   if (std::filesystem::is_directory(status)) throw InputError(path, 0, "is a folder, expected a mesh file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path, 0, std::string("cannot be read: ") + std::strerror(errno));
-  std::string bytes;
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number < 0) throw InputError(path, 0, std::string("cannot be read: ") + std::strerror(errno));
+  // Into place, by what the file is said to be long; a pipe or a file that grows is read to its end.
   const auto size = std::filesystem::file_size(path, error);
-  if (!error) bytes.reserve(size);
-  std::array<char, 1 << 16> block;
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-    bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  std::string bytes(error ? 0 : size + 1, '\0');
+  std::size_t filled = 0;
+  for (;;) {
+    if (filled == bytes.size()) bytes.resize(2 * bytes.size() + (1 << 16));
+    const ssize_t count = ::read(file.number, bytes.data() + filled, bytes.size() - filled);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw InputError(path, 0, "cannot be read to its end");
+    if (count == 0) break;
+    filled += static_cast<std::size_t>(count);
   }
-  if (stream.bad()) throw InputError(path, 0, "cannot be read to its end");
+  bytes.resize(filled);
   return bytes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "bezcert/io/gmsh_content.hpp"
 #include "bezcert/io/printable.hpp"
+#include "bezcert/number/interval.hpp"
 
 namespace bezcert {
 namespace {
@@ -41,6 +42,7 @@ int read_format(GmshSource& source) {
 }  // namespace
 
 Mesh read_gmsh(const std::string& file, std::string_view bytes, const ReadOptions& options) {
+  const NearestRounding nearest;  // text to doubles
   GmshSource source(file, bytes);
   GmshContent content(source, options);
   int version = 0;

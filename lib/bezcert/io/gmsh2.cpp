@@ -18,7 +18,7 @@ std::uint64_t read_natural(GmshSource& source, std::string_view what) {
   return static_cast<std::uint64_t>(value);
 }
 
-void read_element_line(GmshSource& source, GmshContent& content) {
+void read_element_line(GmshSource& source, GmshContent& content, std::vector<std::uint64_t>& numbers) {
   const std::uint64_t tag = source.natural(0, "element number");
   const GmshType type = content.element_type(source.integer(1, "element type"));
   const std::uint64_t tags = source.natural(2, "number of tags");
@@ -29,17 +29,37 @@ void read_element_line(GmshSource& source, GmshContent& content) {
                 std::to_string(tags) + " tags needs " + std::to_string(nodes) + " nodes: expected " +
                 std::to_string(3 + tags + nodes) + " numbers on the line, found " + std::to_string(found));
   }
-  content.begin_element(type, tag);
-  if (type.type_class != GmshClass::surface) return;
-  for (std::size_t k = 0; k < nodes; ++k)
-    content.add_element_node(source.natural(3 + tags + k, "node number"));
-  content.end_element();
+  numbers.assign(nodes, 0);
+  for (std::size_t k = 0; k < nodes && type.type_class == GmshClass::surface; ++k)
+    numbers[k] = source.natural(3 + tags + k, "node number");
+  content.add_element(type, tag, numbers);
+}
+
+// The same for a line that is written plainly; false if it is not, or if anything is wrong with it.
+bool read_plain_element(GmshSource& source, GmshContent& content, std::vector<std::uint64_t>& numbers) {
+  PlainLine line = source.plain();
+  std::uint64_t tag = 0, number = 0, tags = 0, ignored = 0;
+  if (!line.natural(tag) || !line.natural(number) || !line.natural(tags) || number > 1000) return false;
+  const GmshType type = gmsh_type(static_cast<long>(number));
+  if (type.type_class != GmshClass::surface) return false;
+  for (std::uint64_t k = 0; k < tags; ++k) {
+    if (!line.natural(ignored)) return false;
+  }
+  numbers.assign(static_cast<std::size_t>(type.nodes), 0);
+  for (std::uint64_t& node : numbers) {
+    if (!line.natural(node)) return false;
+  }
+  if (!line.ends()) return false;
+  source.take_line(line);
+  content.add_element(type, tag, numbers);
+  return true;
 }
 
 }  // namespace
 
 void read_gmsh2_nodes(GmshSource& source, GmshContent& content, bool parametric) {
   const std::uint64_t count = read_announced(source, "nodes");
+  content.reserve_nodes(count);
   if (source.binary) {
     if (parametric) source.fail("binary $ParametricNodes of version 2 are not read: expected $Nodes");
     content.check_count(count, 28, "nodes");
@@ -54,6 +74,15 @@ void read_gmsh2_nodes(GmshSource& source, GmshContent& content, bool parametric)
   }
   content.check_count(count, 8, "nodes");  // "1 0 0 0\n"
   for (std::uint64_t i = 0; i < count; ++i) {
+    PlainLine line = source.plain();
+    std::uint64_t tag = 0;
+    double x = 0, y = 0, z = 0;
+    if (content.binary64() && line.natural(tag) && line.number(x) && line.number(y) && line.number(z) &&
+        line.ends()) {
+      source.take_line(line);
+      content.add_node(tag, x, y, z);
+      continue;
+    }
     source.read_tokens("node " + std::to_string(i + 1) + " of " + std::to_string(count));
     const auto& tokens = source.tokens();
     if (!parametric || tokens.size() < 6) source.expect_tokens(4, "a node: number, x, y, z");
@@ -65,9 +94,11 @@ void read_gmsh2_elements(GmshSource& source, GmshContent& content) {
   const std::uint64_t count = read_announced(source, "elements");
   if (!source.binary) {
     content.check_count(count, 6, "elements");
+    std::vector<std::uint64_t> numbers;
     for (std::uint64_t i = 0; i < count; ++i) {
+      if (read_plain_element(source, content, numbers)) continue;
       source.read_tokens("element " + std::to_string(i + 1) + " of " + std::to_string(count));
-      read_element_line(source, content);
+      read_element_line(source, content, numbers);
     }
     return;
   }
@@ -81,11 +112,13 @@ void read_gmsh2_elements(GmshSource& source, GmshContent& content) {
                   std::to_string(count - done));
     }
     content.check_count(in_block, 4 * (1 + tags + static_cast<std::size_t>(type.nodes)), "elements");
+    content.reserve_elements(type, in_block);
+    std::vector<std::uint64_t> numbers(static_cast<std::size_t>(type.nodes));
     for (std::uint64_t i = 0; i < in_block; ++i, ++done) {
-      content.begin_element(type, read_natural(source, "element number"));
+      const std::uint64_t tag = read_natural(source, "element number");
       for (std::uint64_t k = 0; k < tags; ++k) source.read_int32("element tag");
-      for (int k = 0; k < type.nodes; ++k) content.add_element_node(read_natural(source, "node number"));
-      if (type.type_class == GmshClass::surface) content.end_element();
+      for (std::uint64_t& node : numbers) node = read_natural(source, "node number");
+      content.add_element(type, tag, numbers);
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <unordered_map>
 
@@ -29,21 +30,82 @@ void GmshContent::add_coordinate(ExactVector& to, std::string_view text, std::ui
            : "', expected a finite decimal number of at most 20000 characters and exponents up to 5000"));
 }
 
+void GmshContent::add_tag(std::uint64_t tag, std::size_t line) {
+  consecutive_ = consecutive_ && (node_tags_.empty() || tag == node_tags_.back() + 1);
+  const std::size_t node = node_tags_.size();
+  if (line > 0 && (node_lines_.empty() || line - node_lines_.back().line != node - node_lines_.back().node)) {
+    node_lines_.push_back({node, line});
+  }
+  node_tags_.push_back(tag);
+}
+
+std::size_t GmshContent::node_line(std::size_t node) const {
+  const auto after = std::upper_bound(node_lines_.begin(), node_lines_.end(), node,
+                                      [](std::size_t n, const LinesFrom& run) { return n < run.node; });
+  return after == node_lines_.begin() ? 0 : std::prev(after)->line + (node - std::prev(after)->node);
+}
+
+// A mesh is flat nearly always: one number stands for all heights until another comes.
+void GmshContent::add_height(double z) {
+  if (node_tags_.empty()) flat_ = z;
+  if (flat_ && *flat_ == z) return;
+  if (flat_) {
+    for (std::size_t i = 0; i < node_tags_.size(); ++i) z_.push_back(*flat_);
+    flat_.reset();
+  }
+  z_.push_back(z);
+}
+
+bool GmshContent::same_height(std::uint32_t a, std::uint32_t b) const {
+  if (flat_) return true;
+  return z_.binary64() ? z_.doubles()[a] == z_.doubles()[b] : z_.rationals()[a] == z_.rationals()[b];
+}
+
 void GmshContent::add_node(std::uint64_t tag, std::string_view x, std::string_view y, std::string_view z) {
   add_coordinate(mesh_.x, x, tag);
   add_coordinate(mesh_.y, y, tag);
-  add_coordinate(z_, z, tag);
-  node_tags_.push_back(tag);
-  node_lines_.push_back(source_.line());
+  if (binary64()) {
+    ExactVector height;
+    add_coordinate(height, z, tag);
+    add_height(height.doubles()[0]);
+  } else {
+    add_coordinate(z_, z, tag);
+  }
+  add_tag(tag, source_.line());
 }
 
 void GmshContent::add_node(std::uint64_t tag, double x, double y, double z) {
   for (const double value : {x, y, z}) check_finite(value, tag);
   mesh_.x.push_back(x);
   mesh_.y.push_back(y);
-  z_.push_back(z);
-  node_tags_.push_back(tag);
-  node_lines_.push_back(0);
+  add_height(z);
+  add_tag(tag, source_.line());
+}
+
+void GmshContent::add_nodes(std::span<const std::uint64_t> tags, std::span<const double> xyz,
+                            std::size_t line) {
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    mesh_.x.push_back(xyz[3 * i]);
+    mesh_.y.push_back(xyz[3 * i + 1]);
+    add_height(xyz[3 * i + 2]);
+    add_tag(tags[i], line + i);
+  }
+}
+
+void GmshContent::reserve_nodes(std::uint64_t count) {
+  if (count > source_.remaining() / 8) return;
+  mesh_.x.reserve(count);
+  mesh_.y.reserve(count);
+  node_tags_.reserve(count);
+}
+
+void GmshContent::reserve_elements(const GmshType& type, std::uint64_t count) {
+  if (type.type_class != GmshClass::surface) return;
+  const auto reserve = [](auto& list, std::size_t more) {
+    if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, list.capacity() * 2));
+  };
+  reserve(mesh_.elements, count);
+  reserve(mesh_.connectivity, count * static_cast<std::size_t>(type.nodes));
 }
 
 void GmshContent::check_count(std::uint64_t count, std::size_t bytes, std::string_view what) const {
@@ -69,35 +131,48 @@ GmshType GmshContent::element_type(std::int64_t number) const {
 }
 
 const std::vector<std::size_t>& GmshContent::node_order(Shape shape) {
+  if (last_order_ && shape == last_shape_) return *last_order_;
   auto& order = orders_[shape];
   if (order.empty()) order = gmsh_node_order(shape);
+  last_order_ = &order;
+  last_shape_ = shape;
   return order;
 }
 
-void GmshContent::begin_element(const GmshType& type, std::uint64_t tag) {
-  element_nodes_.clear();
-  current_ = {type.shape, options_.basis, tag, static_cast<std::uint32_t>(source_.line()),
-              connectivity_.size()};
+void GmshContent::add_element(const GmshType& type, std::uint64_t tag, std::span<const std::uint64_t> nodes,
+                              std::size_t line) {
   switch (type.type_class) {
-    case GmshClass::point: ++mesh_.ignored.points; break;
-    case GmshClass::line: ++mesh_.ignored.lines; break;
-    case GmshClass::volume: ++mesh_.ignored.volumes; break;
-    default: break;
+    case GmshClass::point: ++mesh_.ignored.points; return;
+    case GmshClass::line: ++mesh_.ignored.lines; return;
+    case GmshClass::volume: ++mesh_.ignored.volumes; return;
+    case GmshClass::surface: break;
+    default: return;
   }
+  const std::size_t first = wide_.empty() ? mesh_.connectivity.size() : wide_.size();
+  append_tags(nodes, node_order(type.shape));
+  mesh_.elements.push_back({type.shape, options_.basis, tag, static_cast<std::uint32_t>(line), first});
 }
 
-void GmshContent::end_element() {
-  const std::vector<std::size_t>& order = node_order(current_.shape);
-  connectivity_.resize(connectivity_.size() + order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    connectivity_[current_.first_node + order[k]] = element_nodes_[k];
+void GmshContent::append_tags(std::span<const std::uint64_t> nodes, const std::vector<std::size_t>& order) {
+  const auto append = [&]<class T>(std::vector<T>& to) {
+    const std::size_t first = to.size();
+    to.resize(first + order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) to[first + order[k]] = static_cast<T>(nodes[k]);
+  };
+  if (wide_.empty()) {
+    std::uint64_t all = 0;
+    for (const std::uint64_t tag : nodes) all |= tag;
+    if (all >> 32 == 0) return append(mesh_.connectivity);
+    wide_.assign(mesh_.connectivity.begin(), mesh_.connectivity.end());
   }
-  mesh_.elements.push_back(current_);
+  append(wide_);
 }
 
-// From node tag to place: a table where tags are dense, a hash where they are sparse.
+// From node tag to place: nothing where tags are consecutive, a table where they are dense, a hash where they
+// are sparse.
 struct GmshContent::NodeIndex {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::uint64_t first = 0, consecutive = 0;
   std::vector<std::uint32_t> dense;
   std::unordered_map<std::uint64_t, std::uint32_t> sparse;
 
@@ -109,6 +184,7 @@ struct GmshContent::NodeIndex {
     return true;
   }
   std::uint32_t find(std::uint64_t tag) const {
+    if (consecutive > 0) return tag - first < consecutive ? static_cast<std::uint32_t>(tag - first) : none;
     if (!dense.empty()) return tag < dense.size() ? dense[tag] : none;
     const auto found = sparse.find(tag);
     return found == sparse.end() ? none : found->second;
@@ -127,34 +203,40 @@ Mesh GmshContent::finish() {
   if (node_tags_.size() >= NodeIndex::none) source_.fail_at(0, "more than 2^32 - 2 nodes are not supported");
 
   NodeIndex index;
-  const std::uint64_t largest =
-      node_tags_.empty() ? 0 : *std::max_element(node_tags_.begin(), node_tags_.end());
-  if (largest < 4 * node_tags_.size() + 1024) index.dense.assign(largest + 1, NodeIndex::none);
-  for (std::size_t i = 0; i < node_tags_.size(); ++i) {
-    if (!index.add(node_tags_[i], static_cast<std::uint32_t>(i))) {
-      source_.fail_at(node_lines_[i], "node " + std::to_string(node_tags_[i]) + " is defined twice");
+  if (consecutive_ && !node_tags_.empty()) {
+    index.first = node_tags_.front();
+    index.consecutive = node_tags_.size();
+  } else {
+    const std::uint64_t largest =
+        node_tags_.empty() ? 0 : *std::max_element(node_tags_.begin(), node_tags_.end());
+    if (largest < 4 * node_tags_.size() + 1024) index.dense.assign(largest + 1, NodeIndex::none);
+    for (std::size_t i = 0; i < node_tags_.size(); ++i) {
+      if (!index.add(node_tags_[i], static_cast<std::uint32_t>(i))) {
+        source_.fail_at(node_line(i), "node " + std::to_string(node_tags_[i]) + " is defined twice");
+      }
     }
   }
 
   std::optional<std::uint32_t> first;
-  mesh_.connectivity.reserve(connectivity_.size());
+  if (!wide_.empty()) mesh_.connectivity.resize(wide_.size());
   for (const MeshElement& element : mesh_.elements) {
-    for (std::size_t k = 0; k < coefficient_count(element.shape); ++k) {
-      const std::uint64_t tag = connectivity_[element.first_node + k];
+    const std::size_t end = element.first_node + coefficient_count(element.shape);
+    for (std::size_t k = element.first_node; k < end; ++k) {
+      const std::uint64_t tag = tag_at(k);
       const std::uint32_t node = index.find(tag);
       if (node == NodeIndex::none) {
         source_.fail_at(element.line, "element " + std::to_string(element.tag) + " uses node " +
                                           std::to_string(tag) + ", which $Nodes does not define");
       }
       if (!first) first = node;
-      if (z_[node] != z_[*first]) {
-        source_.fail_at(node_lines_[node], "the mesh is not planar: node " + std::to_string(tag) +
-                                               " has z = " + to_decimal(z_[node]) + ", node " +
-                                               std::to_string(node_tags_[*first]) +
-                                               " has z = " + to_decimal(z_[*first]) +
-                                               "; expected a mesh in a plane z = constant");
+      if (!same_height(node, *first)) {
+        source_.fail_at(node_line(node), "the mesh is not planar: node " + std::to_string(tag) +
+                                             " has z = " + to_decimal(z_[node]) + ", node " +
+                                             std::to_string(node_tags_[*first]) +
+                                             " has z = " + to_decimal(z_[*first]) +
+                                             "; expected a mesh in a plane z = constant");
       }
-      mesh_.connectivity.push_back(node);
+      mesh_.connectivity[k] = node;
     }
   }
   mesh_.basis_name = options_.basis == Basis::lagrange ? "lagrange" : "bernstein";

@@ -1,10 +1,13 @@
 #include "bezcert/io/gmsh_source.hpp"
 
 #include "bezcert/io/printable.hpp"
+#include "bezcert/number/interval.hpp"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <system_error>
 
@@ -91,6 +94,68 @@ T GmshSource::read(std::string_view what) {
 template std::int32_t GmshSource::read(std::string_view);
 template std::uint64_t GmshSource::read(std::string_view);
 template double GmshSource::read(std::string_view);
+
+template <class T>
+void GmshSource::read_block(std::size_t count, T* to) {
+  std::memcpy(to, bytes_.data() + at_, count * sizeof(T));
+  at_ += count * sizeof(T);
+  if (!swap_bytes) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    char* raw = reinterpret_cast<char*>(to + i);
+    std::reverse(raw, raw + sizeof(T));
+  }
+}
+
+template void GmshSource::read_block(std::size_t, std::uint64_t*);
+template void GmshSource::read_block(std::size_t, double*);
+
+bool PlainLine::number(double& value) {
+  skip_blanks();
+  if (at_ != end_ && *at_ == '0') {  // the third coordinate, nearly always
+    ++at_;
+    value = 0;
+    if (at_separator()) return true;
+    --at_;
+  }
+  const auto [end, error] = std::from_chars(at_, end_, value);
+  at_ = end;
+  return error == std::errc() && std::isfinite(value) && at_separator();
+}
+
+PlainLine GmshSource::plain() const { return {bytes_.data() + at_, bytes_.data() + bytes_.size()}; }
+
+void GmshSource::take_line(const PlainLine& line) {
+  at_ = static_cast<std::size_t>(line.place() - bytes_.data());
+  ++line_;
+}
+
+bool GmshSource::read_plainly(std::size_t count, const Parallel& parallel,
+                              const std::function<bool(PlainLine&, std::size_t)>& read) {
+  constexpr std::size_t step = 2048;
+  std::vector<std::size_t> places;  // where every step-th line begins
+  std::size_t at = at_;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % step == 0) places.push_back(at);
+    const std::size_t end = bytes_.find('\n', at);
+    if (end == std::string_view::npos) return false;
+    at = end + 1;
+  }
+  std::atomic<bool> all = true;
+  parallel(places.size(), [&](std::size_t part) {
+    const NearestRounding nearest;  // of this thread
+    PlainLine line(bytes_.data() + places[part], bytes_.data() + at);
+    const std::size_t last = std::min(count, (part + 1) * step);
+    for (std::size_t i = part * step; i < last; ++i) {
+      if (read(line, i) && line.ends()) continue;
+      all = false;
+      return;
+    }
+  });
+  if (!all) return false;
+  at_ = at;
+  line_ += count;
+  return true;
+}
 
 void GmshSource::expect_end(std::string_view section) {
   const std::string end = "$End" + std::string(section);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bezcert/io/input_error.hpp"
+#include "bezcert/io/read.hpp"
 
 #include <cstdint>
 #include <string>
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace bezcert {
+
+class PlainLine;
 
 class GmshSource {
  public:
@@ -39,6 +42,17 @@ class GmshSource {
   /// A token as an integer that is not negative.
   std::uint64_t natural(std::size_t token, std::string_view what) const;
 
+  /// The lines from here on, to be read plainly; what was read is then to be taken.
+  PlainLine plain() const;
+  void take_line(const PlainLine& line);
+  /// Reads `count` lines plainly, read(line, i) the i-th, with the help of threads. Returns false, and
+  /// nothing has been read, if `read` or the end of a line does.
+  bool read_plainly(std::size_t count, const Parallel& parallel,
+                    const std::function<bool(PlainLine&, std::size_t)>& read);
+
+  /// `count` binary numbers. Precondition: the file has them.
+  template <class T>
+  void read_block(std::size_t count, T* to);
   /// A binary number.
   std::int32_t read_int32(std::string_view what) { return read<std::int32_t>(what); }
   std::uint64_t read_uint64(std::string_view what) { return read<std::uint64_t>(what); }
@@ -58,6 +72,44 @@ class GmshSource {
   std::size_t at_ = 0;
   std::size_t line_ = 0;
   std::vector<std::string_view> tokens_;
+};
+
+/// The numbers of lines that are written plainly: separated by blanks, integers as 1 to 18 digits. What it
+/// refuses may be right all the same: GmshSource::read_tokens tells. Precondition for `number`: the thread
+/// rounds to nearest.
+class PlainLine {
+ public:
+  PlainLine(const char* begin, const char* end) : at_(begin), end_(end) {}
+
+  bool natural(std::uint64_t& value) {
+    skip_blanks();
+    value = 0;
+    const char* const start = at_;
+    for (; at_ != end_ && static_cast<unsigned char>(*at_ - '0') < 10; ++at_) {
+      value = value * 10 + static_cast<std::uint64_t>(*at_ - '0');
+      if (at_ - start >= 18) return false;
+    }
+    return at_ != start && at_separator();
+  }
+  /// The double nearest to a decimal, as parse_binary64 gives it.
+  bool number(double& value);
+  /// Whether the line ends here; then the next one begins.
+  bool ends() {
+    skip_blanks();
+    if (at_ == end_) return true;
+    return *at_++ == '\n';
+  }
+  const char* place() const { return at_; }
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+  void skip_blanks() {
+    while (at_ != end_ && is_blank(*at_)) ++at_;
+  }
+  bool at_separator() const { return at_ == end_ || is_blank(*at_) || *at_ == '\n'; }
+
+  const char* at_;
+  const char* end_;
 };
 
 }  // namespace bezcert

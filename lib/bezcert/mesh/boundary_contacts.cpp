@@ -93,7 +93,7 @@ class BoundaryCheck {
     }
     last_ = use;
     const RoundingScope scope;
-    return curves_.try_emplace(use, edges_.interval(use), edges_.exact(use)).first->second;
+    return curves_.try_emplace(use, edges_.curve(use)).first->second;
   }
 
   std::string edge_text(EdgeUse use) const {

@@ -46,6 +46,7 @@ class ComponentCheck {
   // Two components overlap if and only if the outer loop of one lies in the other (docs/mesh.md): one vertex
   // tells.
   void check_pairs() {
+    if (components_.count < 2) return;
     for (const BoundaryLoop& loop : loops_) loop_boxes_.push_back(box_of(loop));
     std::vector<Box> boxes;
     for (std::size_t component = 0; component < components_.count; ++component) {

@@ -31,27 +31,37 @@ void list_elements(const Mesh& mesh, std::span<const ElementState> states, Eleme
 
 }  // namespace
 
+MeshTopology::MeshTopology(const Mesh& mesh, std::optional<std::uint32_t> element)
+    : obstacles_(element),
+      edges_(mesh),
+      gluing_(glue(edges_, obstacles_)),
+      corners_(corners_by_vertex(edges_, gluing_)) {
+  find_hanging_nodes(edges_, corners_, gluing_, obstacles_);
+  fans_ = link_fans(edges_, gluing_, corners_, obstacles_);
+  components_ = find_components(edges_, gluing_);
+}
+
 MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states, const MeshOptions& options) {
+  if (states.size() != mesh.elements.size())
+    throw std::invalid_argument("examine_mesh: one state an element");
+  return examine_mesh(MeshTopology(mesh, options.element), states, options);
+}
+
+MeshResult examine_mesh(MeshTopology&& topology, std::span<const ElementState> states,
+                        const MeshOptions& options) {
+  const auto& [known, edges, gluing, corners, fans, components] = topology;
+  const Mesh& mesh = edges.mesh();
   if (states.size() != mesh.elements.size())
     throw std::invalid_argument("examine_mesh: one state an element");
   MeshResult result;
   ObstacleList& obstacles = result.obstacles;
-  obstacles = ObstacleList(options.element);
+  obstacles = known;
+  result.components = components.count;
+  const bool all_injective = std::all_of(states.begin(), states.end(),
+                                         [](ElementState state) { return state == ElementState::injective; });
   list_elements(mesh, states, ElementState::invalid, MeshVerdict::invalid_element, "not injective",
                 obstacles);
   list_elements(mesh, states, ElementState::open, MeshVerdict::undecided, "not decided", obstacles);
-  const bool all_injective = obstacles.empty();
-
-  const MeshEdges edges(mesh);
-  const auto surface = std::make_shared<MeshSurface>();
-  result.surface = surface;
-  auto& [gluing, corners, fans] = *surface;
-  gluing = glue(edges, obstacles);
-  corners = corners_by_vertex(edges, gluing);
-  find_hanging_nodes(edges, corners, gluing, obstacles);
-  fans = link_fans(edges, gluing, corners, obstacles);
-  const Components components = find_components(edges, gluing);
-  result.components = components.count;
   if (all_injective) {
     check_turns(edges, gluing, corners, fans, obstacles);
     check_boundary(edges, gluing, fans, options.contact, obstacles);
@@ -66,6 +76,8 @@ MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states, 
     }
   }
   result.verdict = obstacles.verdict();
+  result.surface = std::make_shared<MeshSurface>(
+      MeshSurface{std::move(topology.gluing_), std::move(topology.corners_), std::move(topology.fans_)});
   return result;
 }
 

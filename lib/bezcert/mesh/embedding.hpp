@@ -49,9 +49,31 @@ struct MeshOptions {
   std::optional<std::uint32_t> element;
 };
 
+/// How the elements of a mesh are glued: what the decision of the mesh knows before it asks for theirs, so
+/// that another thread can make it meanwhile.
+class MeshTopology {
+ public:
+  /// Keeps a reference: `mesh` must outlive this. `element` as in MeshOptions. Throws std::length_error
+  /// beyond 2^32 - 2 edges.
+  explicit MeshTopology(const Mesh& mesh, std::optional<std::uint32_t> element = std::nullopt);
+
+ private:
+  friend MeshResult examine_mesh(MeshTopology&&, std::span<const ElementState>, const MeshOptions&);
+
+  ObstacleList obstacles_;
+  MeshEdges edges_;
+  Gluing gluing_;
+  CornersByVertex corners_;
+  Fans fans_;
+  Components components_;
+};
+
 /// Precondition: one state an element, and true: the theorem rests on it. Throws std::length_error beyond
 /// 2^32 - 2 edges, and std::logic_error if the mesh contradicts the theorem (a defect of bezcert).
 MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states,
+                        const MeshOptions& options = {});
+/// The same. Precondition: the topology was made for `options.element`.
+MeshResult examine_mesh(MeshTopology&& topology, std::span<const ElementState> states,
                         const MeshOptions& options = {});
 
 }  // namespace bezcert

@@ -79,7 +79,11 @@ class Gluer {
       for (auto first = begin; first != end;) {
         auto last = first;
         while (last != end && last->other == first->other) ++last;
-        if (last - first > 1) group({first, last});
+        if (last - first == 2 && glue_plainly(first[0], first[1])) {
+          // Nearly always: nothing more to do.
+        } else if (last - first > 1) {
+          group({first, last});
+        }
         first = last;
       }
     }
@@ -88,6 +92,15 @@ class Gluer {
 
  private:
   std::uint32_t smaller(EdgeUse use) const { return std::min(gluing_.begin[use], gluing_.end(edges_, use)); }
+
+  // Two uses in opposite directions through the same nodes: the shortest way of `group`.
+  bool glue_plainly(const Use& a, const Use& b) {
+    if (a.forward == b.forward || edges_.basis(a.use) != edges_.basis(b.use)) return false;
+    if (!(edges_.nodes(a.use) == edges_.nodes(b.use).reversed())) return false;
+    gluing_.twin[a.use] = b.use;
+    gluing_.twin[b.use] = a.use;
+    return true;
+  }
 
   // All uses between two vertices.
   void group(const std::vector<Use>& uses) {
@@ -142,9 +155,8 @@ class Gluer {
 
   bool same(const Use& a, const Use& b) const {
     if (edges_.basis(a.use) == edges_.basis(b.use)) {
-      std::vector<std::uint32_t> na = edges_.nodes(a.use), nb = edges_.nodes(b.use);
-      if (a.forward != b.forward) std::reverse(nb.begin(), nb.end());
-      if (na == nb) return true;
+      const EdgeNodes nodes = edges_.nodes(b.use);
+      if (edges_.nodes(a.use) == (a.forward == b.forward ? nodes : nodes.reversed())) return true;
     }
     return same_curve(forward_curve(a), forward_curve(b));
   }

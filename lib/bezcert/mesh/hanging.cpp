@@ -18,7 +18,10 @@ class Search {
     for (std::uint32_t vertex = 0; vertex + 1 < corners_.start.size(); ++vertex) {
       // With very many parts at one vertex it is no hanging node, and comparing them all would take long.
       constexpr std::size_t many = 32;
-      const std::size_t parts = leaving(vertex).size();
+      std::size_t parts = 0;
+      for (std::uint32_t i = corners_.start[vertex]; i < corners_.start[vertex + 1]; ++i) {
+        if (is_single(corners_.corners[i])) ++parts;
+      }
       if (parts < 2 || parts > many) continue;
       for (const EdgeUse use : leaving(vertex)) look_at(use);
       for (const EdgeUse use : arriving(vertex)) look_at(use);

@@ -1,8 +1,8 @@
 #include "bezcert/mesh/loop_area.hpp"
 
-#include "bezcert/bernstein/multinomial.hpp"
 #include "bezcert/curve/separation.hpp"
 #include "bezcert/curve/winding.hpp"
+#include "bezcert/mesh/polynomial_area.hpp"
 
 #include <algorithm>
 
@@ -19,33 +19,8 @@ bool is_polynomial(const CurveNet<Integer>& net) {
   return std::all_of(net.w.begin(), net.w.end(), [&](const Integer& w) { return w == net.w[0]; });
 }
 
-// The scaled Bernstein coefficients (number k times C(2n-1, k)) of X Y' - Y X', degree 2n - 1.
-std::vector<Integer> integrand(const std::vector<Integer>& x, const std::vector<Integer>& y) {
-  const int n = static_cast<int>(x.size()) - 1;
-  std::vector<Integer> result(2 * x.size() - 2, 0);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    for (std::size_t j = 0; j + 1 < x.size(); ++j) {
-      const Integer products = x[i] * (y[j + 1] - y[j]) - y[i] * (x[j + 1] - x[j]);
-      result[i + j] += products * binomial(n, static_cast<int>(i)) * binomial(n - 1, static_cast<int>(j)) * n;
-    }
-  }
-  return result;
-}
-
-// The integral over [0, 1] is the mean of the Bernstein coefficients; of the positive and of the negative
-// ones.
-std::pair<Rational, Rational> means(const std::vector<Integer>& scaled) {
-  const int degree = static_cast<int>(scaled.size()) - 1;
-  Rational positive = 0, negative = 0;
-  for (int k = 0; k <= degree; ++k) {
-    const Integer& value = scaled[static_cast<std::size_t>(k)];
-    (value.sign() > 0 ? positive : negative) += Rational(value, binomial(degree, k));
-  }
-  return {positive / (degree + 1), negative / (degree + 1)};
-}
-
 Rational polynomial_share(const CurveNet<Integer>& net) {
-  const auto [positive, negative] = means(integrand(net.x, net.y));
+  const auto [positive, negative] = bracket_integral(net.x, net.y);
   return (positive + negative) / Rational(Integer(2 * net.w[0] * net.w[0]));
 }
 
@@ -58,7 +33,7 @@ AreaBounds piece_share(const CurveNet<Integer>& net) {
     x[i] = net.x[i] * w0 - x0 * net.w[i];
     y[i] = net.y[i] * w0 - y0 * net.w[i];
   }
-  const auto [positive, negative] = means(integrand(x, y));
+  const auto [positive, negative] = bracket_integral(x, y);
   const auto [w_low, w_high] = std::minmax_element(net.w.begin(), net.w.end());
   // X and Y have the factor w0 more.
   const Integer twice = 2 * w0 * w0;
@@ -115,7 +90,12 @@ LoopArea loop_area(const MeshEdges& edges, const BoundaryLoop& loop) {
   constexpr int deepest = 8;
   AreaBounds polynomial;
   std::vector<DyadicCurve> rational;
+  std::vector<EdgeUse> plain;
   for (const EdgeUse use : loop.uses) {
+    if (has_plain_area(edges, use)) {
+      plain.push_back(use);
+      continue;
+    }
     CurveNet<Integer> net = edges.exact(use);
     if (is_polynomial(net)) {
       const Rational area = polynomial_share(net);
@@ -124,6 +104,8 @@ LoopArea loop_area(const MeshEdges& edges, const BoundaryLoop& loop) {
       rational.emplace_back(std::nullopt, std::move(net));
     }
   }
+  const Rational area_of_plain = plain_area(edges, plain);
+  polynomial += {area_of_plain, area_of_plain};
   if (rational.empty()) return {polynomial, polynomial.lower.sign()};
   AreaBounds sum;
   for (int depth = 2; depth <= deepest; ++depth) {

@@ -1,5 +1,6 @@
 #include "bezcert/mesh/mesh.hpp"
 
+#include <algorithm>
 #include <span>
 
 namespace bezcert {
@@ -26,6 +27,17 @@ Element Mesh::element(std::size_t i) const {
                                              coefficient_count(entry.shape));
   return Element(entry.shape, entry.basis, gather(x, nodes), gather(y, nodes),
                  weights.empty() ? ExactVector() : gather(weights, nodes));
+}
+
+bool Mesh::rational(std::size_t i) const {
+  if (weights.empty()) return false;
+  const MeshElement& entry = elements[i];
+  const std::uint32_t* nodes = connectivity.data() + entry.first_node;
+  const std::size_t count = coefficient_count(entry.shape);
+  return std::any_of(nodes, nodes + count, [&](std::uint32_t node) {
+    return weights.binary64() ? weights.doubles()[node] != weights.doubles()[nodes[0]]
+                              : weights.rationals()[node] != weights.rationals()[nodes[0]];
+  });
 }
 
 }  // namespace bezcert

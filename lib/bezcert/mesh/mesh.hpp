@@ -51,6 +51,9 @@ class Mesh {
   /// The i-th element with its own copy of its points. Throws std::invalid_argument as Element does.
   Element element(std::size_t i) const;
 
+  /// Whether the i-th element has different weights: it is not polynomial.
+  bool rational(std::size_t i) const;
+
   /// What the file calls a node.
   std::uint64_t node_number(std::uint32_t node) const { return node_tags.empty() ? node : node_tags[node]; }
 };

@@ -18,16 +18,30 @@ Side side_of(int cross_sign, int dot_sign) {
   return dot_sign > 0 ? Side::along : Side::opposite;
 }
 
-// How often the directions, each less than half a turn after the one before, pass the reference direction: a
-// sector [d_k, d_k+1) holds it if d_k is along it, or leads from its right to its left.
-int passes(const std::vector<Side>& sides, bool closed) {
-  int count = 0;
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    if (!closed && k + 1 == sides.size()) break;
-    const Side next = sides[(k + 1) % sides.size()];
-    if (sides[k] == Side::along || (sides[k] == Side::right && next == Side::left)) ++count;
+// Whether a sector [d, e) of less than half a turn holds the reference direction: d is along it, or the
+// sector leads from its right to its left.
+bool passes(Side d, Side e) { return d == Side::along || (d == Side::right && e == Side::left); }
+
+// The corners of the fan that holds `corner`: how many, the first and the last of them (of a closed one any).
+struct FanEnds {
+  std::size_t count = 0;
+  EdgeUse first = no_edge, last = no_edge;
+  bool closed = false;
+};
+
+FanEnds fan_around(const MeshEdges& edges, const Gluing& gluing, EdgeUse corner) {
+  FanEnds fan{1, corner, corner, false};
+  for (;; ++fan.count) {  // counter-clockwise
+    const EdgeUse across = gluing.twin[edges.previous(fan.last)];
+    if (across == no_edge) break;
+    if (across == corner) {
+      fan.closed = true;
+      return fan;
+    }
+    fan.last = across;
   }
-  return count;
+  for (; gluing.twin[fan.first] != no_edge; ++fan.count) fan.first = edges.next(gluing.twin[fan.first]);
+  return fan;
 }
 
 struct Tangent {
@@ -39,11 +53,19 @@ class TurnCounter {
  public:
   explicit TurnCounter(const MeshEdges& edges) : edges_(edges) {}
 
-  // Full turns of a closed fan: the reference is +x.
-  int turns(const Fan& fan) const {
-    std::vector<Side> sides;
-    for (const EdgeUse corner : fan.corners) sides.push_back(side_of_x({corner, End::begin}));
-    return passes(sides, true);
+  // The number of sectors at each vertex that hold +x: of a closed fan, its full turns. Element by
+  // element, as memory has them: a sector's ends are the tangents of its own element.
+  std::vector<std::uint32_t> turns(const Gluing& gluing) const {
+    std::vector<std::uint32_t> result(edges_.mesh().x.size(), 0);
+    for (std::size_t element = 0; element < edges_.element_count(); ++element) {
+      const EdgeUse first = edges_.first(element), last = edges_.first(element + 1) - 1;
+      Side arriving = side_of_x({last, End::end});
+      for (EdgeUse use = first; use <= last; ++use) {
+        if (passes(side_of_x({use, End::begin}), arriving)) ++result[gluing.begin[use]];
+        if (use != last) arriving = side_of_x({use, End::end});
+      }
+    }
+    return result;
   }
 
   // Compares the angle of an open fan with a full turn: -1, 0, 1. The reference is its first direction.
@@ -55,12 +77,18 @@ class TurnCounter {
       sides.push_back(side_of_tangent(first, {fan.corners[k], End::begin}));
     }
     sides.push_back(side_of_tangent(first, {edges_.previous(fan.corners.back()), End::end}));
-    if (passes(sides, false) > 1) return 1;
+    int passed = 0;
+    for (std::size_t k = 0; k + 1 < sides.size(); ++k) passed += passes(sides[k], sides[k + 1]) ? 1 : 0;
+    if (passed > 1) return 1;
     return sides.back() == Side::along ? 0 : -1;
   }
 
  private:
   Side side_of_x(Tangent tangent) const {
+    if (const auto y = edges_.tangent_sign(tangent.use, tangent.end, 1)) {
+      if (*y != 0) return side_of(*y, 0);
+      if (const auto x = edges_.tangent_sign(tangent.use, tangent.end, 0)) return side_of(0, *x);
+    }
     const Vector2<Interval> t = edges_.interval_tangent(tangent.use, tangent.end);
     if (const auto y = certain_sign(t.y)) {
       if (*y != 0) return side_of(*y, 0);
@@ -171,6 +199,7 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
   Fans result;
   const std::size_t vertices = edges.mesh().x.size();
   result.next_boundary.assign(edges.count(), no_edge);
+  result.open.assign(vertices, false);
   result.bad.assign(vertices, false);
   for (EdgeUse use = 0; use < edges.count(); ++use) {
     if (gluing.faulty[use]) result.bad[gluing.begin[use]] = result.bad[gluing.end(edges, use)] = true;
@@ -178,13 +207,20 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
   const std::map<EdgeUse, EdgeUse> meant(gluing.meant.begin(), gluing.meant.end());
   for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
     if (corners.start[vertex] == corners.start[vertex + 1]) continue;
+    const FanEnds one = fan_around(edges, gluing, corners.corners[corners.start[vertex]]);
+    if (one.count == corners.start[vertex + 1] - corners.start[vertex]) {
+      if (one.closed) continue;
+      result.open[vertex] = true;
+      const EdgeUse arriving = edges.previous(one.last);
+      if (!gluing.faulty[arriving] && !gluing.faulty[one.first]) result.next_boundary[arriving] = one.first;
+      continue;
+    }
     const std::vector<Fan> fans = fans_of(edges, gluing, corners, vertex);
     for (const Fan& fan : fans) {
       const EdgeUse arriving = edges.previous(fan.corners.back());
       if (fan.closed || gluing.faulty[arriving] || gluing.faulty[fan.corners.front()]) continue;
       result.next_boundary[arriving] = fan.corners.front();
     }
-    if (fans.size() == 1) continue;
     if (result.bad[vertex] && !is_pinched(edges, gluing, meant, fans)) continue;
     result.bad[vertex] = true;
     if (!obstacles.wants(MeshVerdict::non_manifold)) {
@@ -210,6 +246,7 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
 void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
                  const Fans& fans, ObstacleList& obstacles) {
   const TurnCounter counter(edges);
+  const std::vector<std::uint32_t> turns = counter.turns(gluing);
   const auto folded = [&](std::uint32_t vertex, const Fan& fan, const std::string& what) {
     MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::folded_vertex, vertex, fan.corners);
     obstacle.message += what + node_text(edges, vertex);
@@ -218,12 +255,13 @@ void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVe
   };
   for (std::uint32_t vertex = 0; vertex < fans.bad.size(); ++vertex) {
     if (corners.start[vertex] == corners.start[vertex + 1] || fans.bad[vertex]) continue;
-    const Fan fan = fans_of(edges, gluing, corners, vertex).front();
-    if (fan.closed) {
-      const int turns = counter.turns(fan);
-      if (turns != 1) folded(vertex, fan, " wind " + std::to_string(turns) + " times around ");
+    if (!fans.open[vertex]) {
+      if (turns[vertex] == 1) continue;
+      folded(vertex, fans_of(edges, gluing, corners, vertex).front(),
+             " wind " + std::to_string(turns[vertex]) + " times around ");
       continue;
     }
+    const Fan fan = fans_of(edges, gluing, corners, vertex).front();
     const int more = counter.compare_with_turn(fan);
     if (more == 0) {
       // The edge that leaves must be left of the one that arrives, seen from the vertex. (Where they run

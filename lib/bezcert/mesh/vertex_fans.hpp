@@ -21,6 +21,8 @@ struct Fans {
   /// For every boundary use the boundary use that begins where it ends; no_edge for others and at faulty
   /// vertices.
   std::vector<EdgeUse> next_boundary;
+  /// Vertices with one fan, an open one.
+  std::vector<bool> open;
   /// Vertices that are not manifold, or that a faulty edge ends at.
   std::vector<bool> bad;
 };

@@ -1,5 +1,8 @@
 #include "bezcert/number/outward.hpp"
 
+#include <array>
+#include <bit>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -69,6 +72,25 @@ std::optional<Dyadic> round(const Interval& enclosure, Direction direction, int 
 }  // namespace
 
 Rational to_rational(const Dyadic& value) { return Rational(value.mantissa) * power_of_two(value.exponent); }
+
+void append(const Dyadic& value, std::string& text) {
+  // In lowest terms: an odd numerator, or no denominator.
+  const int twos = value.mantissa == 0 ? 0 : std::countr_zero(static_cast<unsigned long>(value.mantissa));
+  const long exponent = value.exponent + twos;
+  const long odd = value.mantissa >> twos;
+  if (odd != 0 && (exponent <= -63 || exponent >= 0)) {
+    text += to_string(to_rational(value));
+    return;
+  }
+  std::array<char, 20> digits;
+  const auto add = [&](long number) {
+    text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  };
+  add(odd);
+  if (odd == 0) return;
+  text += '/';
+  add(1L << -exponent);
+}
 
 Dyadic round_down(const Rational& value, int bits) { return round(value, Direction::down, bits); }
 Dyadic round_up(const Rational& value, int bits) { return round(value, Direction::up, bits); }

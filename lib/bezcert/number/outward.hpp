@@ -28,6 +28,8 @@ struct Dyadic {
 };
 
 Rational to_rational(const Dyadic& value);
+/// Appends to_string(to_rational(value)), mostly without making a Rational.
+void append(const Dyadic& value, std::string& text);
 inline int sign(const Dyadic& value) { return (value.mantissa > 0) - (value.mantissa < 0); }
 
 /// Significant bits of the bounds in reports: about three decimal digits.

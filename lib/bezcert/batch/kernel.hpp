@@ -1,0 +1,350 @@
+// What a block computes of an element, over any number type: Lanes, or StaticBound for the error bounds.
+//
+// Control points are relative to the first one. With a_i the Bernstein coefficients of x_u and b_j those of
+// x_v (differences of control points; rational: of W X_u - X W_u and W X_v - X W_v, times W^2 those of x):
+//
+// 1. The Bernstein coefficients of det J (rational: of degree_factor N) and their extremes. Polynomial: det J is
+//    degree_factor times the product x_u x x_v, whose scaled coefficients are sums of cross products a_i x b_j;
+//    by uniqueness they are those of N in jacobian.md. Rational: N = F_0 . ((F_1 - F_0) x (F_2 - F_0)).
+//
+// 2. Cone. For any two vectors a, b: (a_i x b_j)(a x b) = P_i S_j - Q_i R_j with P_i = a_i x b, Q_i = a x a_i,
+//    R_j = b_j x b, S_j = a x b_j (the Pluecker relation; exact for whatever doubles a, b are). Let p, s be
+//    lower bounds of all P_i, S_j, and q, r upper bounds of all |Q_i|, |R_j|. If p, s > 0 and p s > q r, then
+//    all (a_i x b_j)(a x b) > 0. As some a_i x b_i is a corner coefficient of N (up to a positive factor),
+//    which is > 0 by 1, a x b > 0 and all a_i x b_j > 0. Then all mixed terms a_i x b_j + a_j x b_i of the Jacobian's hull
+//    are > 0: the condition of jacobian_hull holds. On the square jacobian_hull takes both columns
+//    in one basis: its a's and b's are convex combinations of these, so it holds there as well.
+//    This takes one pass instead of all pairs.
+//
+// 3. Mixed. All pairs a_i x b_j + a_j x b_i, for elements that 2 leaves open (not on the square).
+#pragma once
+
+#include "bezcert/batch/block.hpp"
+
+namespace bezcert::batch {
+
+/// What comes out, each with its bound if T is StaticBound.
+template <class T>
+struct Extent {
+  T lowest{}, highest{};  ///< of the coefficients of det J (rational: of degree_factor N)
+  T corner[4]{};
+  T p{}, q{}, r{}, s{};
+};
+
+/// P: the degree (square: in both directions) if known at compile time, or 0.
+template <class T, Kind kind, int P>
+class Kernel {
+ public:
+  static constexpr bool is_square = kind == Kind::square;
+  static constexpr bool is_rational = kind == Kind::rational_triangle;
+  static constexpr int corner_count = is_square ? 4 : 3;
+  static constexpr int cap = P > 0 ? P : max_block_degree;
+  static constexpr int triangle_size(int n) { return (n + 1) * (n + 2) / 2; }
+  static constexpr int point_cap = is_square ? (cap + 1) * (cap + 1) : triangle_size(cap);
+  static constexpr int column_cap = is_square     ? cap * (cap + 1)
+                                    : is_rational ? triangle_size(2 * cap - 1)
+                                                  : triangle_size(cap - 1);
+  static constexpr int homogeneous_cap = is_rational ? point_cap : 1;
+
+  /// Nodes or control points as given, relative to the first; weights of rational elements.
+  T node_x[point_cap], node_y[point_cap], weight[homogeneous_cap];
+
+  explicit Kernel(const BlockTable& table) : table_(table) {}
+
+  BEZCERT_INLINE int degree() const { return P > 0 ? P : table_.p; }
+  BEZCERT_INLINE int degree_v() const { return !is_square ? 0 : P > 0 ? P : table_.q; }
+  BEZCERT_INLINE int point_count() const {
+    return is_square ? (degree() + 1) * (degree_v() + 1) : triangle_size(degree());
+  }
+
+  BEZCERT_INLINE void run(Extent<T>& result, bool cone) {
+    control_points();
+    if constexpr (is_rational) {
+      homogeneous();
+      rational_determinant(result);
+      if (cone) rational_columns();
+    } else {
+      polynomial_columns();
+      polynomial_determinant(result);
+    }
+    if (cone) find_cone(result);
+  }
+
+  /// The smallest mixed term. Precondition: run with `cone`; not on the square.
+  BEZCERT_INLINE T mixed() const {
+    const int count = column_count_u();
+    T lowest = cross(0, 0);
+    for (int i = 0; i < count; ++i) {
+      for (int j = i; j < count; ++j) lowest = smaller(lowest, cross(i, j) + cross(j, i));
+    }
+    return lowest;
+  }
+
+ private:
+  /// Position of row r, column c in a triangle of degree n, or in a square with n + 1 columns.
+  BEZCERT_INLINE static int at(int n, int r, int c) {
+    return is_square ? r * (n + 1) + c : r * (n + 1) - r * (r - 1) / 2 + c;
+  }
+  BEZCERT_INLINE static int most(int a, int b) { return a > b ? a : b; }
+  BEZCERT_INLINE static int least(int a, int b) { return a < b ? a : b; }
+
+  BEZCERT_INLINE int column_count_u() const {
+    return is_square     ? degree() * (degree_v() + 1)
+           : is_rational ? triangle_size(2 * degree() - 1)
+                         : triangle_size(degree() - 1);
+  }
+  BEZCERT_INLINE int column_count_v() const {
+    return is_square ? (degree() + 1) * degree_v() : column_count_u();
+  }
+
+  BEZCERT_INLINE void control_points() {
+    if (!table_.lagrange) {
+      x_ = node_x;
+      y_ = node_y;
+      return;
+    }
+    for (int i = 0; i < point_count(); ++i) {
+      const int end = table_.row_start[i + 1];
+      int k = table_.row_start[i];
+      T x = node_x[table_.column[k]] * table_.value[k];
+      T y = node_y[table_.column[k]] * table_.value[k];
+      for (++k; k < end; ++k) {
+        x = x + node_x[table_.column[k]] * table_.value[k];
+        y = y + node_y[table_.column[k]] * table_.value[k];
+      }
+      point_x_[i] = x;
+      point_y_[i] = y;
+    }
+    x_ = point_x_;
+    y_ = point_y_;
+  }
+
+  BEZCERT_INLINE void homogeneous() {
+    for (int i = 0; i < point_count(); ++i) {
+      point_x_[i] = x_[i] * weight[i];
+      point_y_[i] = y_[i] * weight[i];
+    }
+    x_ = point_x_;
+    y_ = point_y_;
+  }
+
+  // Differences of neighbours: along u, then along v (triangle: towards corner 1, corner 2).
+  BEZCERT_INLINE void differences(const T* from, T* along_u, T* along_v) const {
+    const int n = degree();
+    if constexpr (is_square) {
+      const int m = degree_v();
+      for (int r = 0; r <= m; ++r) {
+        for (int c = 0; c < n; ++c) along_u[at(n - 1, r, c)] = from[at(n, r, c + 1)] - from[at(n, r, c)];
+      }
+      for (int r = 0; r < m; ++r) {
+        for (int c = 0; c <= n; ++c) along_v[at(n, r, c)] = from[at(n, r + 1, c)] - from[at(n, r, c)];
+      }
+    } else {
+      for (int r = 0; r < n; ++r) {
+        for (int c = 0; c < n - r; ++c) {
+          along_u[at(n - 1, r, c)] = from[at(n, r, c + 1)] - from[at(n, r, c)];
+          along_v[at(n - 1, r, c)] = from[at(n, r + 1, c)] - from[at(n, r, c)];
+        }
+      }
+    }
+  }
+
+  BEZCERT_INLINE void polynomial_columns() {
+    differences(x_, ax_, bx_);
+    differences(y_, ay_, by_);
+  }
+
+  BEZCERT_INLINE T cross(int i, int j) const { return ax_[i] * by_[j] - ay_[i] * bx_[j]; }
+
+  // One more coefficient of det J.
+  BEZCERT_INLINE void add(Extent<T>& result, int index, int corner, const T& value) const {
+    if (index == 0) {
+      // The first is corner 0; in degree 0 it is all of them.
+      result.lowest = result.highest = value;
+      for (int k = 0; k < corner_count; ++k) result.corner[k] = value;
+      return;
+    }
+    result.lowest = smaller(result.lowest, value);
+    result.highest = larger(result.highest, value);
+    if (corner >= 0) result.corner[corner] = value;
+  }
+
+  // The corner at row r, column c of degrees n (and m), or -1.
+  BEZCERT_INLINE static int corner_at(int n, int m, int r, int c) {
+    if (is_square) {
+      if (r != 0 && r != m) return -1;
+      return c == 0 ? (r == 0 ? 0 : 3) : c == n ? (r == 0 ? 1 : 2) : -1;
+    }
+    return c == 0 ? (r == 0 ? 0 : r == n ? 2 : -1) : c == n ? 1 : -1;
+  }
+
+  BEZCERT_INLINE void polynomial_determinant(Extent<T>& result) const {
+    // Scaled coefficients: those of the factors are multiplied by multinomials, products are divided by them.
+    T ux[column_cap], uy[column_cap], vx[column_cap], vy[column_cap];
+    for (int i = 0; i < column_count_u(); ++i) {
+      ux[i] = ax_[i] * table_.along_u[i];
+      uy[i] = ay_[i] * table_.along_u[i];
+    }
+    for (int i = 0; i < column_count_v(); ++i) {
+      vx[i] = bx_[i] * table_.along_v[i];
+      vy[i] = by_[i] * table_.along_v[i];
+    }
+    const int un = degree() - 1, um = is_square ? degree_v() : degree() - 1;
+    const int vn = is_square ? degree() : degree() - 1, vm = is_square ? degree_v() - 1 : degree() - 1;
+    const int n = un + vn, m = um + vm;
+    int index = 0;
+    for (int r = 0; r <= m; ++r) {
+      for (int c = 0; c <= (is_square ? n : n - r); ++c, ++index) {
+        bool first = true;
+        T sum = ux[0];
+        for (int i = most(0, r - vm); i <= least(um, r); ++i) {
+          const int low = most(0, c - (is_square ? vn : vn - (r - i)));
+          const int high = least(is_square ? un : un - i, c);
+          for (int k = low; k <= high; ++k) {
+            const int u = at(un, i, k), v = at(vn, r - i, c - k);
+            const T term = ux[u] * vy[v] - uy[u] * vx[v];
+            sum = first ? term : sum + term;
+            first = false;
+          }
+        }
+        add(result, index, corner_at(n, m, r, c), sum * table_.determinant[index]);
+      }
+    }
+  }
+
+  // sum over the pairs of rows and columns of visit(position in f, position in g), for coefficient (r, c) of a
+  // product of triangles of degrees n and m.
+  template <class Visit>
+  BEZCERT_INLINE static T coefficient_of_product(int n, int m, int r, int c, Visit visit) {
+    bool first = true;
+    T sum{};
+    for (int i = most(0, r - m); i <= least(n, r); ++i) {
+      for (int k = most(0, c - (m - (r - i))); k <= least(n - i, c); ++k) {
+        const T term = visit(at(n, i, k), at(m, r - i, c - k));
+        if (first) {
+          sum = term;
+        } else {
+          sum = sum + term;
+        }
+        first = false;
+      }
+    }
+    return sum;
+  }
+
+  // N = F_0 . ((F_1 - F_0) x (F_2 - F_0)) in scaled coefficients.
+  BEZCERT_INLINE void rational_determinant(Extent<T>& result) {
+    const int n = degree() - 1;
+    const int size = triangle_size(n);
+    differences(x_, ax_, bx_);
+    differences(y_, ay_, by_);
+    differences(weight, aw_, bw_);
+    T fx[point_cap], fy[point_cap], fw[point_cap];
+    int i = 0;
+    for (int r = 0; r <= n; ++r) {
+      for (int c = 0; c <= n - r; ++c, ++i) {
+        const double factor = table_.along_u[i];
+        const int from = at(n + 1, r, c);
+        fx[i] = x_[from] * factor;
+        fy[i] = y_[from] * factor;
+        fw[i] = weight[from] * factor;
+      }
+    }
+    const auto scale = [&](T* values) {
+      for (int k = 0; k < size; ++k) values[k] = values[k] * table_.along_u[k];
+    };
+    scale(ax_);
+    scale(ay_);
+    scale(aw_);
+    scale(bx_);
+    scale(by_);
+    scale(bw_);
+    T gx[triangle_size(2 * cap - 2)], gy[triangle_size(2 * cap - 2)], gw[triangle_size(2 * cap - 2)];
+    i = 0;
+    for (int r = 0; r <= 2 * n; ++r) {
+      for (int c = 0; c <= 2 * n - r; ++c, ++i) {
+        const auto minor = [&](const T* a1, const T* b2, const T* a2, const T* b1) {
+          return coefficient_of_product(n, n, r, c,
+                                        [&](int u, int v) { return a1[u] * b2[v] - a2[u] * b1[v]; });
+        };
+        gx[i] = minor(ay_, bw_, aw_, by_);
+        gy[i] = minor(aw_, bx_, ax_, bw_);
+        gw[i] = minor(ax_, by_, ay_, bx_);
+      }
+    }
+    i = 0;
+    for (int r = 0; r <= 3 * n; ++r) {
+      for (int c = 0; c <= 3 * n - r; ++c, ++i) {
+        const T sum = coefficient_of_product(n, 2 * n, r, c, [&](int u, int v) {
+          return fx[u] * gx[v] + fy[u] * gy[v] + fw[u] * gw[v];
+        });
+        add(result, i, corner_at(3 * n, 0, r, c), sum * table_.determinant[i]);
+      }
+    }
+  }
+
+  // W X_u - X W_u and the other three, from the scaled differences that rational_determinant left.
+  BEZCERT_INLINE void rational_columns() {
+    const int n = degree();
+    T sx[point_cap], sy[point_cap], sw[point_cap];
+    for (int i = 0; i < point_count(); ++i) {
+      sx[i] = x_[i] * table_.net[i];
+      sy[i] = y_[i] * table_.net[i];
+      sw[i] = weight[i] * table_.net[i];
+    }
+    T ux[column_cap], uy[column_cap], vx[column_cap], vy[column_cap];
+    int index = 0;
+    for (int r = 0; r <= 2 * n - 1; ++r) {
+      for (int c = 0; c <= 2 * n - 1 - r; ++c, ++index) {
+        const auto column = [&](const T* along, const T* values, const T* weight_along) {
+          const T sum = coefficient_of_product(n - 1, n, r, c, [&](int u, int v) {
+            return along[u] * sw[v] - values[v] * weight_along[u];
+          });
+          return sum * table_.columns[index];
+        };
+        ux[index] = column(ax_, sx, aw_);
+        uy[index] = column(ay_, sy, aw_);
+        vx[index] = column(bx_, sx, bw_);
+        vy[index] = column(by_, sy, bw_);
+      }
+    }
+    for (int i = 0; i < index; ++i) {
+      ax_[i] = ux[i];
+      ay_[i] = uy[i];
+      bx_[i] = vx[i];
+      by_[i] = vy[i];
+    }
+  }
+
+  BEZCERT_INLINE void find_cone(Extent<T>& result) const {
+    const auto total = [](const T* values, int count) {
+      T sum = values[0];
+      for (int i = 1; i < count; ++i) sum = sum + values[i];
+      return as_exact(sum);
+    };
+    const int count_u = column_count_u(), count_v = column_count_v();
+    const T ax = total(ax_, count_u), ay = total(ay_, count_u);
+    const T bx = total(bx_, count_v), by = total(by_, count_v);
+    for (int i = 0; i < count_u; ++i) {
+      const T p = ax_[i] * by - ay_[i] * bx;
+      const T q = absolute(ax * ay_[i] - ay * ax_[i]);
+      result.p = i == 0 ? p : smaller(result.p, p);
+      result.q = i == 0 ? q : larger(result.q, q);
+    }
+    for (int j = 0; j < count_v; ++j) {
+      const T r = absolute(bx_[j] * by - by_[j] * bx);
+      const T s = ax * by_[j] - ay * bx_[j];
+      result.r = j == 0 ? r : larger(result.r, r);
+      result.s = j == 0 ? s : smaller(result.s, s);
+    }
+  }
+
+  const BlockTable& table_;
+  const T* x_ = nullptr;
+  const T* y_ = nullptr;
+  T point_x_[point_cap], point_y_[point_cap];
+  T ax_[column_cap], ay_[column_cap], bx_[column_cap], by_[column_cap];
+  T aw_[homogeneous_cap], bw_[homogeneous_cap];
+};
+
+}  // namespace bezcert::batch
