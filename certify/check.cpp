@@ -197,6 +197,12 @@ int check_all(const CheckOptions& options, std::ostream& stream, std::ostream* c
   return code;
 }
 
+// One path for all ways to write it, whether or not there is a file.
+std::filesystem::path place_of(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+}
+
 // No output may be an input or another output.
 void check_outputs(const CheckOptions& options) {
   if (options.meshes.size() > 1 && !(options.certificate.empty() && options.elements.empty())) {
@@ -216,7 +222,8 @@ void check_outputs(const CheckOptions& options) {
     }
     for (const auto& [other_option, other] : outputs) {
       if (other == output) break;
-      const bool same = *other == *output || std::filesystem::equivalent(*other, *output, error);
+      if (other->empty()) continue;
+      const bool same = place_of(*other) == place_of(*output);
       if (same && std::filesystem::status(*output, error).type() != std::filesystem::file_type::character) {
         throw InputError(
             *output, 0,

@@ -2,8 +2,6 @@
 #include "elements.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -11,8 +9,7 @@ namespace verifier {
 
 namespace {
 
-/// JSON, read where `at` is. Objects are read in two steps, first the places of their values, then these by
-/// name.
+/// JSON, read where `at` is. Objects are read in two steps: the places of their values, then these by name.
 struct Json {
   using Keys = std::map<std::string_view, std::size_t>;
 
@@ -20,8 +17,9 @@ struct Json {
   std::size_t at = 0;
 
   [[noreturn]] void fail(const std::string& why) const {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    throw MalformedElements{{std::to_string(line) + ": " + why}};
+    const std::string_view before = text.substr(0, at);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    throw Malformed{"elements file, line " + std::to_string(line) + ": " + why};
   }
   /// The next character that is not blank; 0 at the end.
   char peek() {
@@ -37,7 +35,7 @@ struct Json {
     expect('"');
     const std::size_t begin = at;
     while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
-    if (at >= text.size()) at = begin, fail("string without end");
+    if (at >= text.size()) fail("string without end");
     return text.substr(begin, at++ - begin);
   }
   /// Checked when it is read: exact_number.
@@ -48,81 +46,76 @@ struct Json {
     if (at == begin) fail("expected a number");
     return text.substr(begin, at - begin);
   }
-  std::uint32_t index(std::uint32_t low, std::uint32_t high) {
-    if (peek() == '"') fail("expected an integer, not a string");
-    const std::string_view digits = number();
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || value < low || value > high)
-      fail("expected an integer from " + std::to_string(low) + " to " + std::to_string(high));
-    return value;
+  long integer(long low, long high) {
+    if (peek() == '"') fail("expected an integer");
+    return Tokens(number()).small(low, high);
   }
   template <class Each>
-  void array(const Each& each) {
-    expect('[');
-    if (accept(']')) return;
+  void list(char open, char close, const Each& each) {
+    expect(open);
+    if (accept(close)) return;
     do each();
     while (accept(','));
-    expect(']');
+    expect(close);
+  }
+  std::string_view key() {
+    const std::string_view name = string();
+    expect(':');
+    return name;
   }
   void skip(int depth) {
     if (depth > 16) fail("nested too deeply");
-    const auto entry = [&] { string(), expect(':'), skip(depth + 1); };
-    if (peek() == '[') {
-      array([&] { skip(depth + 1); });
-    } else if (accept('{')) {
-      if (accept('}')) return;
-      do entry();
-      while (accept(','));
-      expect('}');
-    } else {
+    if (peek() == '[')
+      list('[', ']', [&] { skip(depth + 1); });
+    else if (peek() == '{')
+      list('{', '}', [&] { key(), skip(depth + 1); });
+    else
       number();
-    }
   }
   Keys object(std::initializer_list<std::string_view> known) {
     Keys keys;
-    expect('{');
-    do {
-      const std::string_view key = string();
-      expect(':');
-      const bool is_known = std::find(known.begin(), known.end(), key) != known.end();
-      if (!is_known || !keys.emplace(key, at).second) fail("unknown or repeated key: " + std::string(key));
+    list('{', '}', [&] {
+      const std::string_view name = key();
+      const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
+      if (!is_known || !keys.emplace(name, at).second) fail("unknown or repeated key");
       skip(0);
-    } while (accept(','));
-    expect('}');
+    });
     return keys;
   }
   /// Goes to a value.
-  void go(const Keys& keys, std::string_view key) {
-    const auto found = keys.find(key);
-    if (found == keys.end()) fail("key missing: " + std::string(key));
+  void go(const Keys& keys, std::string_view name) {
+    const auto found = keys.find(name);
+    if (found == keys.end()) fail("key missing: " + std::string(name));
     at = found->second;
   }
 };
 
-/// Appends integers that are the values times what is returned, a power of two.
-mpz_class scale(const std::vector<double>& values, std::vector<mpz_class>& integers) {
-  const auto split = [](double value, int& exponent) {  // odd integer times a power of two
-    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
-    const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
-    exponent += zeros - 53;
-    return mantissa >> zeros;
-  };
-  int least = 0, e = 0;
-  for (const double value : values)
-    if (value != 0) split(value, e), least = std::min(least, e);
+/// Appends the numbers as integers, all times the power of two that is returned.
+mpz_class scale_doubles(const std::vector<std::string_view>& texts, std::vector<mpz_class>& integers) {
+  std::vector<double> values;
+  int least = 0, exponent = 0;
+  for (const std::string_view text : texts) {
+    values.push_back(nearest_double(text));
+    std::frexp(values.back(), &exponent);
+    least = std::min(least, exponent - 53);
+  }
   for (const double value : values) {
-    integers.emplace_back(value == 0 ? 0 : split(value, e));
-    if (value != 0) integers.back() <<= static_cast<unsigned>(e - least);
+    integers.emplace_back(std::ldexp(std::frexp(value, &exponent), 53));
+    integers.back() <<= static_cast<unsigned>(exponent - 53 - least);
   }
   return mpz_class(1) << static_cast<unsigned>(-least);
 }
 
-/// The same for fractions, with their least common denominator.
-mpz_class scale(const std::vector<mpq_class>& values, std::vector<mpz_class>& integers) {
+/// The same with the least common denominator.
+mpz_class scale_exact(const std::vector<std::string_view>& texts, bool fractions,
+                      std::vector<mpz_class>& integers) {
+  std::vector<mpq_class> values;
   mpz_class unit = 1;
   const auto work = [&] { spend(1024 * (1 + mpz_size(unit.get_mpz_t()))); };
-  for (const mpq_class& value : values) work(), unit = lcm(unit, value.get_den());
+  for (const std::string_view text : texts) {
+    values.push_back(exact_number(text, fractions));
+    work(), unit = lcm(unit, values.back().get_den());
+  }
   for (const mpq_class& value : values) work(), integers.push_back(unit / value.get_den() * value.get_num());
   return unit;
 }
@@ -133,38 +126,32 @@ std::size_t point_count(bool triangle, std::size_t p, std::size_t q) {
   return triangle ? (p + 1) * (p + 2) / 2 : (p + 1) * (q + 1);
 }
 
-std::size_t point_place(bool triangle, std::size_t p, std::size_t u, std::size_t v) {
+std::size_t edge_place(bool triangle, std::size_t p, std::size_t q, std::size_t e, std::size_t k,
+                       std::size_t ring) {
+  const std::size_t lost = ring * (triangle ? 3 : 2), a = p - lost, b = q - lost;  // degrees of the ring
+  const std::size_t us[] = {0, a, triangle ? 0 : a, 0, 0}, vs[] = {0, 0, b, triangle ? 0 : b, 0};  // corners
+  const std::size_t n = std::max<std::size_t>(1, e % 2 == 0 ? a : b);
+  const std::size_t u = ring + (us[e] * (n - k) + us[e + 1] * k) / n;
+  const std::size_t v = ring + (vs[e] * (n - k) + vs[e + 1] * k) / n;
   return triangle ? v * (2 * p + 3 - v) / 2 + u : v * (p + 1) + u;
-}
-
-std::array<std::size_t, 2> along_edge(bool triangle, std::size_t p, std::size_t q, std::size_t e,
-                                      std::size_t k) {
-  const std::size_t u[] = {0, p, triangle ? 0 : p, 0, 0}, v[] = {0, 0, q, triangle ? 0 : q, 0};  // corners
-  const std::size_t n = std::max<std::size_t>(1, triangle || e % 2 == 0 ? p : q);
-  return {(u[e] * (n - k) + u[e + 1] * k) / n, (v[e] * (n - k) + v[e + 1] * k) / n};
 }
 
 std::vector<std::size_t> edge_positions(const Element& element, int e) {
   const auto p = static_cast<std::size_t>(element.p), q = static_cast<std::size_t>(element.q);
   std::vector<std::size_t> places;
-  for (std::size_t k = 0; k <= (element.triangle || e % 2 == 0 ? p : q); ++k) {
-    const auto [u, v] = along_edge(element.triangle, p, q, static_cast<std::size_t>(e), k);
-    places.push_back(point_place(element.triangle, p, u, v));
-  }
+  for (std::size_t k = 0; k <= (e % 2 == 0 ? p : q); ++k)
+    places.push_back(edge_place(element.triangle, p, q, static_cast<std::size_t>(e), k));
   return places;
 }
 
 Elements::Elements(std::string bytes, std::string_view basis, std::string_view numbers)
-    : bytes_(std::move(bytes)), binary64_(numbers == "binary64") {
-  const char first = Json{bytes_}.peek();
-  json_ = first == '{';
-  if (!json_ && first != '$') throw MalformedElements{{"1: neither .msh nor .bez.json"}};
+    : bytes_(std::move(bytes)), binary64_(numbers == "binary64"), json_(Json{bytes_}.peek() == '{') {
   const bool lagrange = basis == "lagrange", decimal = numbers == "decimal";
   if (!(json_ ? basis == "mixed" && decimal : (lagrange || basis == "bernstein") && (binary64_ || decimal)))
     throw Malformed{"basis and numbers do not fit the elements file"};
-  if (bytes_.size() > 0xffffffff) throw MalformedElements{{"1: limit: more than 4 GiB"}};
+  if (bytes_.size() > 0xffffffff) throw Malformed{"limit: elements file of more than 4 GiB"};
   json_ ? read_json() : read_msh(lagrange);
-  if (shapes_.empty()) throw MalformedElements{{"1: no triangles, no quadrilaterals"}};
+  if (shapes_.empty()) throw Malformed{"elements file: no triangles, no quadrilaterals"};
 }
 
 std::vector<std::uint32_t> Elements::nodes(std::size_t i) const {
@@ -173,32 +160,27 @@ std::vector<std::uint32_t> Elements::nodes(std::size_t i) const {
   return {begin, begin + static_cast<std::ptrdiff_t>(point_count(shape.triangle, shape.p, shape.q))};
 }
 
-Element Elements::element(std::size_t i) const try {
+Element Elements::element(std::size_t i) const {
   const Shape& shape = shapes_[i];
   const std::vector<std::uint32_t> places = nodes(i);
-  Element e{shape.triangle, shape.p, shape.q, shape.lagrange, false, {}, {}, {}, {}};
-  const auto exact = [&](std::string_view text) { return exact_number(text, json_); };
-  const auto read = [&](auto number, std::initializer_list<const std::vector<std::string_view>*> lists) {
-    std::vector<decltype(number(std::string_view()))> values;
-    values.reserve(lists.size() * places.size());
-    for (const auto* texts : lists)
-      for (const std::uint32_t place : places) values.push_back(number((*texts)[place]));
-    return values;
+  const auto scaled = [&](const std::vector<std::string_view>& column, std::vector<mpz_class>& integers) {
+    std::vector<std::string_view> texts;
+    for (const std::uint32_t place : places) texts.push_back(column[place]);
+    return binary64_ ? scale_doubles(texts, integers) : scale_exact(texts, json_, integers);
   };
-  e.x.reserve(2 * places.size());
-  e.unit = binary64_ ? scale(read(nearest_double, {&x_, &y_}), e.x) : scale(read(exact, {&x_, &y_}), e.x);
-  const auto middle = e.x.begin() + static_cast<std::ptrdiff_t>(places.size());
-  e.y.assign(std::make_move_iterator(middle), std::make_move_iterator(e.x.end()));
-  e.x.erase(middle, e.x.end());
-  if (!w_.empty()) scale(read(exact, {&w_}), e.w);
+  Element e{shape.triangle, shape.p, shape.q, shape.lagrange, false, {}, {}, {}, {}};
+  const mpz_class unit_x = scaled(x_, e.x), unit_y = scaled(y_, e.y);
+  e.unit = lcm(unit_x, unit_y);
+  const mpz_class factor_x = e.unit / unit_x, factor_y = e.unit / unit_y;
+  for (mpz_class& x : e.x) x *= factor_x;
+  for (mpz_class& y : e.y) y *= factor_y;
+  if (!w_.empty()) scaled(w_, e.w);
   for (const mpz_class& w : e.w) {
     if (w <= 0) throw Malformed{"weight not positive"};
     e.rational = e.rational || w != e.w[0];
   }
   if (!e.rational) e.w.assign(places.size(), 1);
   return e;
-} catch (const Malformed& error) {
-  throw MalformedElements{{" element " + std::to_string(i + 1) + ": " + error.why}};
 }
 
 void Elements::read_json() {
@@ -206,7 +188,7 @@ void Elements::read_json() {
   const auto add_points = [&](const Json::Keys& keys) {
     const std::size_t before = x_.size();
     json.go(keys, "points");
-    json.array([&] {
+    json.list('[', ']', [&] {
       json.expect('['), x_.push_back(json.number());
       json.expect(','), y_.push_back(json.number());
       json.expect(']');
@@ -214,17 +196,17 @@ void Elements::read_json() {
     if (!keys.contains("weights")) return;
     w_.resize(before, "1");
     json.go(keys, "weights");
-    json.array([&] { w_.push_back(json.number()); });
+    json.list('[', ']', [&] { w_.push_back(json.number()); });
     if (w_.size() != x_.size()) json.fail("not one weight a point");
   };
   const Json::Keys file = json.object({"bezcert", "points", "weights", "elements", "curves"});
   if (json.peek(), json.at < bytes_.size()) json.fail("text after the object");
   json.go(file, "bezcert");
-  json.index(1, 1);
+  json.integer(1, 1);
   if (file.contains("points") || file.contains("weights")) add_points(file);
-  const auto file_points = static_cast<std::uint32_t>(x_.size());
+  const long file_points = static_cast<long>(x_.size());
   json.go(file, "elements");
-  json.array([&] {
+  json.list('[', ']', [&] {
     const Json::Keys keys =
         json.object({"kind", "degree", "basis", "points", "nodes", "weights", "name", "expect", "source"});
     const std::size_t end = json.at;
@@ -234,17 +216,18 @@ void Elements::read_json() {
       if (found != first && found != second) json.fail("unknown " + std::string(key));
       return found == first;
     };
+    const auto degree = [&] { return static_cast<std::uint16_t>(json.integer(1, 64)); };
     Shape shape{word("kind", "triangle", "quadrilateral"), false, 0, 0, nodes_.size()};
     shape.lagrange = keys.contains("basis") && word("basis", "lagrange", "bernstein");
     json.go(keys, "degree");
     const bool pair = !shape.triangle && json.accept('[');
-    shape.p = shape.q = static_cast<std::uint16_t>(json.index(1, 64));
-    if (pair) json.expect(','), shape.q = static_cast<std::uint16_t>(json.index(1, 64)), json.expect(']');
+    shape.p = shape.q = degree();
+    if (pair) json.expect(','), shape.q = degree(), json.expect(']');
     if (keys.contains("nodes")) {
       if (keys.contains("points") || keys.contains("weights")) json.fail("nodes with points or weights");
       json.go(keys, "nodes");
-      json.array([&] { nodes_.push_back(json.index(0, file_points - 1)); });
-      if (file_points == 0) json.fail("nodes without points");
+      json.list('[', ']',
+                [&] { nodes_.push_back(static_cast<std::uint32_t>(json.integer(0, file_points - 1))); });
     } else {
       glued_by_nodes_ = false;
       auto place = static_cast<std::uint32_t>(x_.size());

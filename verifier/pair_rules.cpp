@@ -1,6 +1,5 @@
 // Edges as Bezier curves. SELF and PAIR show by signs of control points that they do not meet; MEET shows
-// that they do: by equal points, by divisibility, or by Poincare-Miranda. Points stay homogeneous, in
-// integers.
+// that they do: by equal points, by divisibility, or by Poincare-Miranda.
 #include "pair_rules.hpp"
 
 #include <algorithm>
@@ -26,84 +25,61 @@ namespace {
 /// From values at 0, 1/d, ..., 1 to Bernstein coefficients, times a number that depends on d only: Newton's
 /// formula in d t, powers of d t, of t, and 1 = (1 - t) + t put in.
 void to_bernstein(Integers& c) {
-  const int n = static_cast<int>(c.size());
   const std::size_t d = c.size() - 1;
-  mpz_class factor = 1, common = 1;
-  differences(c, 0, 1, n);
-  for (std::size_t k = d + 1; k-- > 0; factor *= k) c[k] *= factor;  // d! / k!
-  newton_to_power(c, 0, 1, n);
-  factor = 1;
-  for (std::size_t k = 0; k <= d; ++k, factor *= d) c[k] *= factor, common = lcm(common, choose(d, k));
-  shear(c, 0, 1, n);
+  mpz_class common = 1;
+  differences(c);
+  newton_to_power(c, static_cast<int>(d), static_cast<int>(d));
+  for (std::size_t k = 0; k <= d; ++k) common = lcm(common, choose(d, k));
+  shear(c);
   for (std::size_t k = 0; k <= d; ++k) c[k] *= common / choose(d, k);
 }
 
 /// The derivative at the begin, times a positive number that depends on the size of c only.
 mpz_class slope(Integers c, bool lagrange) {
   if (!lagrange) return c[1] - c[0];
-  differences(c, 0, 1, static_cast<int>(c.size()));
+  differences(c);
   mpz_class sum, common = 1;
   for (unsigned long k = 1; k < c.size(); ++k) common = lcm(common, mpz_class(k));
   for (unsigned long k = 1; k < c.size(); ++k) k % 2 ? sum += common / k * c[k] : sum -= common / k * c[k];
   return sum;
 }
 
-std::size_t size_of(const Curve& c) { return std::max({limbs(c.x), limbs(c.y), limbs(c.w)}); }
-
-/// The parts before and after the parameter p / q.
-std::array<Curve, 2> cut(const Curve& curve, const mpz_class& p, const mpz_class& q) {
-  std::array<Curve, 2> parts{curve, curve};
-  const std::size_t d = curve.x.size() - 1, size = mpz_size(q.get_mpz_t());
-  spend(3 * (d + 1) * (d + 1) * (1 + product_work(size_of(curve) + d * size, size)));
-  const mpz_class rest = q - p;
-  Integers powers{1};
-  while (powers.size() <= d) powers.push_back(powers.back() * q);
-  for (const auto f : coordinates) {
-    Integers &first = parts[0].*f, &second = parts[1].*f;
-    for (std::size_t k = 0; k <= d; ++k) {  // after k rounds points are q^k times too large
-      first[k] = second[0] * powers[d - k];
-      for (std::size_t i = 0; i + k < d; ++i) {
-        second[i] *= rest;
-        mpz_addmul(second[i].get_mpz_t(), second[i + 1].get_mpz_t(), p.get_mpz_t());
-      }
-    }
-    for (std::size_t k = 1; k <= d; ++k) second[k] *= powers[k];
-  }
-  for (Curve& part : parts) {  // common powers of two would double with every halving
-    mp_bitcnt_t common = ~mp_bitcnt_t{0};
-    for (const auto f : coordinates)
-      for (const mpz_class& z : part.*f)
-        if (z != 0) common = std::min(common, mpz_scan1(z.get_mpz_t(), 0));
-    for (const auto f : coordinates)
-      for (mpz_class& z : part.*f) z >>= common;
-  }
-  return parts;
-}
-
-/// n . P_i for control points P_i: heights times weights.
-struct Heights {
-  Integers h;
-  const Integers& w;
-  Heights(const Curve& c, const mpz_class& nx, const mpz_class& ny) : w(c.w) {
-    const std::size_t size = 1 + mpz_size(nx.get_mpz_t()) + mpz_size(ny.get_mpz_t());
-    spend(3 * w.size() * product_work(size_of(c), size) +
-          3 * w.size() * w.size() * product_work(size_of(c) + size, size_of(c)));
-    for (std::size_t i = 0; i < w.size(); ++i) h.push_back(nx * c.x[i] + ny * c.y[i]);
-  }
-  std::size_t last() const { return h.size() - 1; }
-};
-
-/// The sign of the height of point i of a, less that of point j of b.
-int compare(const Heights& a, std::size_t i, const Heights& b, std::size_t j) {
-  return cmp(a.h[i] * b.w[j], b.h[j] * a.w[i]);
-}
-
 Polynomial power_basis(Integers c) {
-  differences(c, 0, 1, static_cast<int>(c.size()));
+  differences(c);
   for (std::size_t k = 0; k < c.size(); ++k) c[k] *= choose(c.size() - 1, k);
   trim(c);
   return c;
 }
+
+std::size_t size_of(const Point& p) {
+  return limbs({p[0].get_num(), p[0].get_den(), p[1].get_num(), p[1].get_den()});
+}
+
+/// The curve from one parameter to another.
+Curve part(Curve curve, const mpq_class& low, const mpq_class& high) {
+  const std::size_t d = curve.x.size() - 1, size = size_of({low, high});
+  for (const auto f : coordinates) {
+    spend(2 * d * d * product_work(limbs(curve.*f) + d * size, size));
+    curve.*f = bernstein(power_basis(curve.*f), static_cast<int>(d), low, high);
+    for (std::size_t k = 0; k <= d; ++k) (curve.*f)[k] /= choose(d, k);  // exact
+  }
+  return curve;
+}
+
+/// n . P for the control points P.
+std::vector<mpq_class> heights(const Curve& c, const Point& n) {
+  const std::size_t size = limbs(c.x) + limbs(c.y) + limbs(c.w) + size_of(n);
+  spend(8 * c.x.size() * product_work(size, size));
+  std::vector<mpq_class> all;
+  for (std::size_t i = 0; i < c.x.size(); ++i) {
+    const Point p = control_point(c, i);
+    all.push_back(n[0] * p[0] + n[1] * p[1]);
+  }
+  return all;
+}
+
+mpq_class least(const std::vector<mpq_class>& z) { return *std::min_element(z.begin(), z.end()); }
+mpq_class greatest(const std::vector<mpq_class>& z) { return *std::max_element(z.begin(), z.end()); }
 
 /// f_a(s) w_b(t) - f_b(t) w_a(s), s for u and t for v: the F or G of `r` and `root`.
 Polynomial2 difference(const Curve& a, const Curve& b, Integers Curve::*f) {
@@ -124,39 +100,14 @@ bool one_strict_sign(const Integers& c) {
   return std::all_of(c.begin(), c.end(), [&](const mpz_class& z) { return sgn(z) * sgn(c[0]) > 0; });
 }
 
-void rule_s(Tokens& tokens, const Curve& a, const Curve& b) {
-  const mpz_class nx = tokens.integer(), ny = tokens.integer();
-  const Heights below(a, nx, ny), above(b, nx, ny);
-  for (std::size_t i = 0; i <= below.last(); ++i)
-    for (std::size_t j = 0; j <= above.last(); ++j) require(compare(below, i, above, j) < 0, "s: not apart");
-}
-
-void rule_j(Tokens& tokens, const Curve& a, const Curve& b, Joints joints) {
-  const mpz_class nx = tokens.integer(), ny = tokens.integer();
-  require(joints.end_to_begin != joints.begin_to_end, "j: not exactly one joint");
-  const bool at_end = joints.end_to_begin;  // of a
-  require(point(a, at_end ? 1 : 0) == point(b, at_end ? 0 : 1), "j: the joint is not one point");
-  const auto one_side = [&](const Curve& c, bool end, int side) {
-    const Heights heights(c, nx, ny);
-    const std::size_t joint = end ? heights.last() : 0, other = heights.last() - joint;
-    for (std::size_t i = 0; i <= heights.last(); ++i)
-      require(side * compare(heights, i, heights, joint) >= (i == other ? 1 : 0), "j: on the wrong side");
-  };
-  one_side(a, at_end, -1);
-  one_side(b, !at_end, 1);
-}
-
-void rule_r(const Curve& a, const Curve& b, Joints joints) {
-  require(!joints.end_to_begin || !joints.begin_to_end, "r: two joints");
-  const Curve first = joints.end_to_begin ? reversed(a) : a, second = joints.begin_to_end ? reversed(b) : b;
-  const Polynomial2 f = difference(first, second, &Curve::x), g = difference(first, second, &Curve::y);
-  // In the degree that b has, perhaps less than the formal one, in which R would be 0. At least 1, so that R
-  // = A F + B G.
+void rule_r(const Curve& a, const Curve& b, bool joint) {
+  const Polynomial2 f = difference(a, b, &Curve::x), g = difference(a, b, &Curve::y);
+  // In the degree that b has, perhaps less than the formal one, in which R would be 0. At least 1, so that
+  // R = A F + B G.
   const int n = std::max({2, static_cast<int>(f.size()), static_cast<int>(g.size())}) - 1;
   Polynomial r = resultant(f, n, g, n);
   require(!r.empty(), "r: the resultant is 0");
-  if (joints.end_to_begin || joints.begin_to_end)
-    r.erase(r.begin(), std::find_if(r.begin(), r.end(), [](const mpz_class& z) { return z != 0; }));
+  if (joint) r.erase(r.begin(), std::find_if(r.begin(), r.end(), [](const mpz_class& z) { return z != 0; }));
   require(one_strict_sign(bernstein_on(r, 0, 1)), "r: the resultant has not one sign");
 }
 
@@ -164,93 +115,34 @@ void check_depth(int depth) {
   if (depth > 512) throw Malformed{"limit: more than 512 halvings"};
 }
 
-void pair_rule(Tokens& tokens, const Curve& a, const Curve& b, Joints joints, int depth) {
-  check_depth(depth);
-  const std::string_view rule = tokens.word();
-  if (rule == "s") {
-    require(!joints.end_to_begin && !joints.begin_to_end, "s: there is a joint");
-    rule_s(tokens, a, b);
-  } else if (rule == "j") {
-    rule_j(tokens, a, b, joints);
-  } else if (rule == "r") {
-    rule_r(a, b, joints);
-  } else if (rule == "a") {
-    const auto half = halves(a);
-    pair_rule(tokens, half[0], b, {false, joints.begin_to_end}, depth + 1);
-    pair_rule(tokens, half[1], b, {joints.end_to_begin, false}, depth + 1);
-  } else if (rule == "b") {
-    const auto half = halves(b);
-    pair_rule(tokens, a, half[0], {joints.end_to_begin, false}, depth + 1);
-    pair_rule(tokens, a, half[1], {false, joints.begin_to_end}, depth + 1);
-  } else {
-    throw Malformed{"expected a rule for two pieces"};
-  }
+Point direction(Tokens& tokens) {
+  const mpz_class x = tokens.integer(), y = tokens.integer();
+  return {x, y};
 }
 
-void self_rule(Tokens& tokens, const Curve& curve, int depth) {
+void check_self(Tokens& tokens, const Curve& curve, int depth = 0) {
   check_depth(depth);
   if (tokens.accept("h")) {
     const auto half = halves(curve);
-    self_rule(tokens, half[0], depth + 1);
-    self_rule(tokens, half[1], depth + 1);
-    return pair_rule(tokens, half[0], half[1], {true, false}, depth + 1);
+    for (const Curve& c : half) check_self(tokens, c, depth + 1);
+    check_pair(tokens, half[0], half[1], {true, false}, depth + 1);
+  } else if (tokens.accept("m")) {
+    const auto h = heights(curve, direction(tokens));
+    require(std::adjacent_find(h.begin(), h.end(), std::greater_equal<>()) == h.end(), "m: not increasing");
+  } else {
+    throw Malformed{"expected a rule for one piece"};
   }
-  if (!tokens.accept("m")) throw Malformed{"expected a rule for one piece"};
-  const mpz_class nx = tokens.integer(), ny = tokens.integer();
-  const Heights heights(curve, nx, ny);
-  for (std::size_t i = 0; i < heights.last(); ++i)
-    require(compare(heights, i, heights, i + 1) < 0, "m: not increasing");
-}
-
-/// The numerator of f - c.
-Polynomial less(const RationalPolynomial& f, int c) {
-  Polynomial g = f.numerator;
-  if (g.empty()) g.emplace_back(0);
-  g[0] -= f.denominator * c;
-  trim(g);
-  return g;
-}
-
-void check_root(const Meet& meet, const MeetContext& context) {
-  const Polynomial& m = meet.m;
-  require(m.size() >= 3 && meet.low < meet.high && sgn(value(m, meet.low)) * sgn(value(m, meet.high)) < 0,
-          "root: no change of sign of a polynomial of degree >= 2");
-  const auto on = [&](const Polynomial& f) { return bernstein_on(f, meet.low, meet.high); };
-  for (const RationalPolynomial* f : {&meet.s, &meet.t}) {
-    for (const int c : {0, 1}) {  // f >= 0, f <= 1
-      const Polynomial g = less(*f, c);
-      const Integers b = on(g);
-      const bool within =
-          std::all_of(b.begin(), b.end(), [&](const mpz_class& z) { return c ? z <= 0 : z >= 0; });
-      require(within || divisible(g, m), "root: a parameter is not in [0, 1]");
-    }
-  }
-  require(!context.same_edge || one_strict_sign(on(compose({{0, 1}, {-1}}, meet.s, meet.t))),  // s - t
-          "root: perhaps one parameter");
-  for (const int i : {0, 1})
-    for (const int j : {0, 1})
-      require(!context.common[i][j] || one_strict_sign(on(less(meet.s, i))) ||
-                  one_strict_sign(on(less(meet.t, j))),
-              "root: perhaps the common corner");
-  for (const auto f : {&Curve::x, &Curve::y})
-    require(divisible(compose(difference(context.first, context.second, f), meet.s, meet.t), m),
-            "root: no contact");
-}
-
-/// Whether all control points of `inner` lie between two of `outer`.
-bool between(const Heights& outer, std::size_t low, std::size_t high, const Heights& inner) {
-  for (std::size_t i = 0; i <= inner.last(); ++i)
-    if (compare(outer, low, inner, i) > 0 || compare(inner, i, outer, high) > 0) return false;
-  return true;
 }
 
 void check_cross(const Curve& a, const Curve& b) {
-  const std::size_t n = a.x.size() - 1;
-  const mpz_class dx = a.x[n] * a.w[0] - a.x[0] * a.w[n], dy = a.y[n] * a.w[0] - a.y[0] * a.w[n];
-  require(dx != 0 || dy != 0, "cross: d = 0");  // all below would hold
-  require(between({a, dx, dy}, 0, n, {b, dx, dy}), "cross: the second piece passes an end of the first");
-  const Heights side(b, -dy, dx), inner(a, -dy, dx);
-  require(between(side, 0, side.last(), inner) || between(side, side.last(), 0, inner),
+  const Point d = point(a, 1) - point(a, 0), e{-d[1], d[0]};
+  require(d != Point{}, "cross: d = 0");  // all below would hold
+  const auto between = [](const std::vector<mpq_class>& inner, const mpq_class& low, const mpq_class& high) {
+    return low <= least(inner) && greatest(inner) <= high;
+  };
+  const auto a_d = heights(a, d), b_d = heights(b, d), a_e = heights(a, e), b_e = heights(b, e);
+  require(between(b_d, a_d.front(), a_d.back()), "cross: the second piece passes an end of the first");
+  require(between(a_e, b_e.front(), b_e.back()) || between(a_e, b_e.back(), b_e.front()),
           "cross: the first piece passes an end of the second");
 }
 
@@ -271,6 +163,12 @@ Curve edge_curve(const Element& element, int e) {
   return c;
 }
 
+std::vector<Curve> edge_curves(const Element& element) {
+  std::vector<Curve> edges;
+  for (int e = 0; e < (element.triangle ? 3 : 4); ++e) edges.push_back(edge_curve(element, e));
+  return edges;
+}
+
 int first_direction(const Element& element, const std::vector<std::size_t>& places, int axis) {
   Integers z, w;  // direction of (z / w)' = (z' w - z w') / w^2
   for (const std::size_t i : places) z.push_back((axis == 0 ? element.x : element.y)[i] * element.w[i]);
@@ -284,31 +182,67 @@ Curve reversed(Curve curve) {
   return curve;
 }
 
-std::array<Curve, 2> halves(const Curve& curve) { return cut(curve, 1, 2); }
-
-Curve restricted(const Curve& curve, const mpq_class& low, const mpq_class& high) {
-  require(0 <= low && low < high && high <= 1, "not an interval in [0, 1]");
-  const mpq_class part = low / high;
-  return cut(cut(curve, high.get_num(), high.get_den())[0], part.get_num(), part.get_den())[1];
+std::array<Curve, 2> halves(const Curve& curve) {
+  const mpq_class middle(1, 2);
+  return {part(curve, 0, middle), part(curve, middle, 1)};
 }
 
-std::array<mpq_class, 2> point(const Curve& curve, const mpq_class& t) {
-  const Curve c = t == 1 ? curve : cut(curve, t.get_num(), t.get_den())[0];
-  return {fraction(c.x.back(), c.w.back()), fraction(c.y.back(), c.w.back())};
+Point control_point(const Curve& curve, std::size_t i) {
+  return {fraction(curve.x[i], curve.w[i]), fraction(curve.y[i], curve.w[i])};
 }
 
-void check_pair(Tokens& tokens, const Curve& a, const Curve& b, Joints joints) {
-  pair_rule(tokens, a, b, joints, 0);
+Point point(const Curve& curve, const mpq_class& t) { return control_point(part(curve, t, t), 0); }
+
+void check_pair(Tokens& tokens, const Curve& a, const Curve& b, Joints joints, int depth) {
+  check_depth(depth);
+  const auto [end_to_begin, begin_to_end] = joints;
+  const std::string_view rule = tokens.word();
+  if (rule == "a") {
+    const auto half = halves(a);
+    check_pair(tokens, half[0], b, {false, begin_to_end}, depth + 1);
+    return check_pair(tokens, half[1], b, {end_to_begin, false}, depth + 1);
+  }
+  if (rule == "b") {
+    const auto half = halves(b);
+    check_pair(tokens, a, half[0], {end_to_begin, false}, depth + 1);
+    return check_pair(tokens, a, half[1], {false, begin_to_end}, depth + 1);
+  }
+  // Both are taken to begin at their joint.
+  const Curve first = end_to_begin ? reversed(a) : a, second = begin_to_end ? reversed(b) : b;
+  const int count = end_to_begin + begin_to_end;
+  if (rule == "r") {
+    require(count <= 1, "r: two joints");
+    return rule_r(first, second, count == 1);
+  }
+  if (rule != "s" && rule != "j") throw Malformed{"expected a rule for two pieces"};
+  require(rule != "s" || count == 0, "s: there is a joint");
+  const Point n = direction(tokens);
+  const auto below = heights(first, n), above = heights(second, n);
+  if (rule == "s") return require(greatest(below) < least(above), "s: not apart");
+  require(count == 1 && control_point(first, 0) == control_point(second, 0), "j: not one joint, a point");
+  require(greatest(below) == below[0] && below.back() < below[0] && least(above) == above[0] &&
+              above[0] < above.back(),
+          "j: on the wrong side");
 }
 
 void check_boundary(Tokens& tokens, const Element& element) {
-  const int count = element.triangle ? 3 : 4;
-  std::vector<Curve> edges;
-  for (int e = 0; e < count; ++e) edges.push_back(edge_curve(element, e));
-  for (const Curve& edge : edges) self_rule(tokens, edge, 0);
-  for (int i = 0; i < count; ++i)
-    for (int j = i + 1; j < count; ++j)
-      check_pair(tokens, edges[i], edges[j], {j == i + 1, i == 0 && j == count - 1});
+  const std::vector<Curve> edges = edge_curves(element);
+  for (const Curve& edge : edges) check_self(tokens, edge);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size(); ++j)
+      check_pair(tokens, edges[i], edges[j], {j == i + 1, i == 0 && j == edges.size() - 1});
+}
+
+void check_root(const Polynomial& m, const mpq_class& low, const mpq_class& high, const RationalPolynomial& u,
+                const RationalPolynomial& v, const std::vector<Polynomial2>& sides) {
+  require(m.size() >= 3 && low < high && sgn(value(m, low)) * sgn(value(m, high)) < 0,
+          "root: no change of sign of a polynomial of degree >= 2");
+  for (const Polynomial2& side : sides) {
+    const Polynomial f = compose(side, u, v);
+    const Integers b = bernstein_on(f, low, high);
+    require(std::all_of(b.begin(), b.end(), [](const mpz_class& z) { return z >= 0; }) || divisible(f, m),
+            "root: outside the domain");
+  }
 }
 
 Meet read_meet(Tokens& tokens, bool in_mesh) {
@@ -317,28 +251,51 @@ Meet read_meet(Tokens& tokens, bool in_mesh) {
   const bool root = meet.kind == "root", cross = meet.kind == "cross";
   if (!root && !cross && meet.kind != "at") throw Malformed{"expected at, root or cross"};
   if (root) meet.m = tokens.polynomial(), meet.low = tokens.rational(), meet.high = tokens.rational();
-  const auto place = [&](EdgeName& edge, mpq_class& low, mpq_class& high, RationalPolynomial& f) {
-    edge = in_mesh ? tokens.edge_name() : EdgeName{0, static_cast<int>(tokens.small(0, 3))};
-    if (root) return void(f = tokens.rational_polynomial());
-    low = tokens.rational();
-    high = cross ? tokens.rational() : low;
-  };
-  place(meet.first, meet.first_low, meet.first_high, meet.s);
-  place(meet.second, meet.second_low, meet.second_high, meet.t);
+  for (Meet::Place* place : {&meet.first, &meet.second}) {
+    static_cast<EdgeName&>(*place) =
+        in_mesh ? tokens.edge_name() : EdgeName{0, static_cast<int>(tokens.small(0, 3))};
+    if (root) {
+      place->parameter = tokens.rational_polynomial();
+    } else {
+      place->low = tokens.rational();
+      place->high = cross ? tokens.rational() : place->low;
+    }
+  }
   return meet;
 }
 
 void check_meet(const Meet& meet, const MeetContext& context) {
-  if (meet.kind == "root") return check_root(meet, context);
-  const mpq_class &s0 = meet.first_low, &s1 = meet.first_high, &t0 = meet.second_low, &t1 = meet.second_high;
-  require(s0 >= 0 && s1 <= 1 && t0 >= 0 && t1 <= 1, "a parameter is not in [0, 1]");
-  require(!context.same_edge || s1 < t0 || t1 < s0, "perhaps one parameter");
+  const bool root = meet.kind == "root";
+  const auto& [first, second, same_edge, common] = context;
+  const Meet::Place &s = meet.first, &t = meet.second;
+  const auto contact = [&](const Polynomial2& f) { return compose(f, s.parameter, t.parameter); };
+  const auto one_sign = [&](const Polynomial2& f) {
+    return one_strict_sign(bernstein_on(contact(f), meet.low, meet.high));
+  };
+  const auto apart = [](const mpq_class& low, const mpq_class& high, const Meet::Place& p) {
+    return high < p.low || p.high < low;
+  };
+  if (root) {
+    check_root(meet.m, meet.low, meet.high, s.parameter, t.parameter,
+               {{{0, 1}}, {{1, -1}}, {{}, {1}}, {{1}, {-1}}});
+  } else {
+    for (const Meet::Place* p : {&s, &t}) require(0 <= p->low && p->high <= 1, "not in [0, 1]");
+  }
+  require(!same_edge || (root ? one_sign({{0, 1}, {-1}}) : apart(s.low, s.high, t)), "perhaps one parameter");
   for (const int i : {0, 1})
     for (const int j : {0, 1})
-      require(!context.common[i][j] || s0 > i || i > s1 || t0 > j || j > t1, "perhaps the common corner");
-  if (meet.kind == "at")
-    return require(point(context.first, s0) == point(context.second, t0), "at: two points");
-  check_cross(restricted(context.first, s0, s1), restricted(context.second, t0, t1));
+      require(!common[i][j] ||
+                  (root ? one_sign({{-i, 1}}) || one_sign({{-j}, {1}}) : apart(i, i, s) || apart(j, j, t)),
+              "perhaps the common corner");
+  if (root) {
+    for (const auto f : {&Curve::x, &Curve::y})
+      require(divisible(contact(difference(first, second, f)), meet.m), "root: no contact");
+  } else if (meet.kind == "at") {
+    require(point(first, s.low) == point(second, t.low), "at: two points");
+  } else {
+    require(s.low < s.high && t.low < t.high, "cross: an empty interval");
+    check_cross(part(first, s.low, s.high), part(second, t.low, t.high));
+  }
 }
 
 }  // namespace verifier

@@ -1,4 +1,3 @@
-// SHA-256 (FIPS 180-4).
 #pragma once
 
 #include <string>
@@ -6,7 +5,7 @@
 
 namespace verifier {
 
-/// In lower-case hex.
+/// SHA-256 in lower-case hex.
 std::string sha256(std::string_view bytes);
 
 }  // namespace verifier

@@ -10,32 +10,32 @@ namespace verifier {
 
 namespace {
 
-constexpr char digits[] = "0123456789";
 constexpr std::size_t most_digits = 1'262'611;   // of a number: less than 2^22 bits
 constexpr std::size_t most_coefficients = 4097;  // of a POLY, and rows of a POLY2
-constexpr std::size_t most_in_poly2 = 1 << 20;   // coefficients of a POLY2
+constexpr long most_in_poly2 = 1 << 20;          // coefficients of a POLY2
 constexpr long most_power_of_ten = 1'000'000;    // of decimals
-std::size_t line_left = std::size_t{1} << 36, total_left = std::size_t{1} << 42;
+constexpr std::size_t most_in_line = std::size_t{1} << 36, most_in_all = std::size_t{1} << 40;  // work
+std::size_t line_left = most_in_line, total_left = most_in_all;
 
+/// An optional - and digits.
 mpz_class from_digits(std::string_view text) {
-  if (text.size() > most_digits) throw Malformed{"limit: number of more than 2^22 bits"};
-  if (text.size() > 18) return spend(8 * text.size()), mpz_class(std::string(text), 10);
-  unsigned long value = 0;
-  for (const char c : text) value = 10 * value + static_cast<unsigned long>(c - '0');
-  return value;
+  const std::string_view digits = text.substr(text.starts_with('-'));
+  if (digits.empty() || digits.find_first_not_of("0123456789") != text.npos) throw Malformed{"not a number"};
+  if (digits.size() > most_digits) throw Malformed{"limit: number of more than 2^22 bits"};
+  spend(8 * digits.size());
+  return mpz_class(std::string(text), 10);
 }
 
-mpz_class natural(std::string_view text) {
-  if (text.empty() || text.find_first_not_of(digits) != text.npos || (text[0] == '0' && text.size() > 1))
+mpz_class integer_of(std::string_view text) {
+  if (text != "0" && (text.starts_with('0') || text.starts_with("-0")))
     throw Malformed{"not an integer in its one spelling"};
   return from_digits(text);
 }
 
-mpz_class integer_of(std::string_view text) {
-  if (!text.starts_with('-')) return natural(text);
-  const mpz_class value = natural(text.substr(1));
-  if (value == 0) throw Malformed{"-0"};
-  return -value;
+long small_of(std::string_view text, long low, long high) {
+  const mpz_class value = integer_of(text);
+  if (value < low || value > high) throw Malformed{"integer out of its range"};
+  return value.get_si();
 }
 
 /// For a gcd of a and b, or a division by it.
@@ -66,7 +66,7 @@ RationalPolynomial fraction_of(std::string_view token) {
   const std::size_t slash = token.find('/');
   RationalPolynomial f{polynomial_of(token.substr(0, slash)), 1};
   if (slash == token.npos) return f;
-  f.denominator = natural(token.substr(slash + 1));
+  f.denominator = integer_of(token.substr(slash + 1));
   mpz_class common = f.denominator;
   for (const mpz_class& c : f.numerator) spend_gcd(c, common), common = gcd(c, common);
   if (f.denominator <= 1 || common != 1) throw Malformed{"fraction not in lowest terms"};
@@ -80,16 +80,19 @@ Tokens::Tokens(std::string_view line) : line_(line) {
     if (c < ' ' || c > '~') throw Malformed{"a character that is not printable ASCII"};
 }
 
+std::string_view Tokens::next() const {
+  return at_end() ? std::string_view() : line_.substr(at_, line_.find(' ', at_) - at_);
+}
+
 std::string_view Tokens::word() {
-  if (at_end()) throw Malformed{"the line ends too early"};
-  const std::string_view token = line_.substr(at_, line_.find(' ', at_) - at_);
-  if (token.empty()) throw Malformed{"tokens are separated by exactly one space"};
+  const std::string_view token = next();
+  if (token.empty()) throw Malformed{"the line ends too early, or has two blanks"};
   at_ += token.size() + 1;
   return token;
 }
 
 bool Tokens::accept(std::string_view word) {
-  if (at_end() || line_.substr(at_, line_.find(' ', at_) - at_) != word) return false;
+  if (next() != word) return false;
   at_ += word.size() + 1;
   return true;
 }
@@ -99,31 +102,23 @@ void Tokens::expect_end() const {
 }
 
 mpz_class Tokens::integer() { return integer_of(word()); }
-
-long Tokens::small(long low, long high) {
-  const mpz_class value = integer();
-  if (value < low || value > high) throw Malformed{"integer out of its range"};
-  return value.get_si();
-}
-
-mpq_class Tokens::rational() {
-  const std::string_view token = word();
-  if (token.find(',') != token.npos) throw Malformed{"expected one number"};
-  const RationalPolynomial value = fraction_of(token);
-  return value.numerator.empty() ? mpq_class(0) : mpq_class(value.numerator[0], value.denominator);
-}
-
+long Tokens::small(long low, long high) { return small_of(word(), low, high); }
 Polynomial Tokens::polynomial() { return polynomial_of(word()); }
 RationalPolynomial Tokens::rational_polynomial() { return fraction_of(word()); }
 
+mpq_class Tokens::rational() {
+  const RationalPolynomial value = fraction_of(word());
+  if (value.numerator.size() > 1) throw Malformed{"expected one number"};
+  return value.numerator.empty() ? mpq_class(0) : mpq_class(value.numerator[0], value.denominator);
+}
+
 Polynomial2 Tokens::polynomial2() {
+  const std::string_view token = word();
+  const auto separators =
+      std::count(token.begin(), token.end(), ',') + std::count(token.begin(), token.end(), ';');
+  if (separators >= most_in_poly2) throw Malformed{"limit: polynomial of more than 2^20 coefficients"};
   Polynomial2 f;
-  std::size_t coefficients = 0;
-  for (const std::string_view part : split(word(), ';')) {
-    f.push_back(polynomial_of(part));
-    coefficients += f.back().size();
-    if (coefficients > most_in_poly2) throw Malformed{"limit: polynomial of more than 2^20 coefficients"};
-  }
+  for (const std::string_view part : split(token, ';')) f.push_back(polynomial_of(part));
   if (f.back().empty()) throw Malformed{"the last coefficient is 0"};
   return f;
 }
@@ -135,41 +130,30 @@ std::string_view Tokens::bits() {
 }
 
 EdgeName Tokens::edge_name() {
-  const std::string_view token = word(), edge = token.substr(std::min(token.find('.'), token.size()));
-  const mpz_class position = natural(token.substr(0, token.size() - edge.size()));
-  if (position < 1 || position > 0xffffffff || edge.size() != 2 || edge[1] < '0' || edge[1] > '3')
-    throw Malformed{"expected position.edge"};
-  return {position.get_ui() - 1, edge[1] - '0'};
+  const std::vector<std::string_view> parts = split(word(), '.');
+  if (parts.size() != 2) throw Malformed{"expected position.edge"};
+  const long position = small_of(parts[0], 1, 0xffffffff);
+  return {static_cast<std::size_t>(position - 1), static_cast<int>(small_of(parts[1], 0, 3))};
 }
 
 mpq_class exact_number(std::string_view text, bool fractions) {
   mpq_class value;
   if (const std::size_t slash = text.find('/'); fractions && slash != text.npos) {
-    value.get_num() = integer_of(text.substr(0, slash));
-    value.get_den() = natural(text.substr(slash + 1));
-    if (value.get_den() == 0) throw Malformed{"denominator 0"};
+    value = mpq_class(integer_of(text.substr(0, slash)), integer_of(text.substr(slash + 1)));
+    if (value.get_den() <= 0) throw Malformed{"denominator not positive"};
   } else {
     const std::size_t e = std::min(text.find_first_of("eE"), text.size()), dot = std::min(text.find('.'), e);
     std::string number(text.substr(0, e));
-    if (dot < e) number.erase(dot, 1);
-    const bool negative = number.starts_with('-');
-    if (number.size() == negative || number.find_first_not_of(digits, negative) != number.npos)
-      throw Malformed{"not a number"};
-    long power = 0;
-    if (e < text.size()) {
-      std::string_view exponent = text.substr(e + 1);
-      if (exponent.starts_with('+') && !exponent.starts_with("+-")) exponent.remove_prefix(1);
-      if (exponent.size() > 9) throw Malformed{"limit: power of ten"};
-      const auto [end, error] = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
-      if (error != std::errc() || end != exponent.data() + exponent.size()) throw Malformed{"not a number"};
-    }
-    if (dot < e) power -= static_cast<long>(e - dot - 1);
-    if (std::abs(power) > most_power_of_ten) throw Malformed{"limit: power of ten"};
-    value.get_num() = from_digits(std::string_view(number).substr(negative));
-    if (negative) value.get_num() = -value.get_num();
-    spend(16 * static_cast<std::size_t>(std::abs(power)));
+    std::string_view exponent = e < text.size() ? text.substr(e + 1) : "0";
+    if (exponent.starts_with('+') && !exponent.starts_with("+-")) exponent.remove_prefix(1);
+    mpz_class power = from_digits(exponent);
+    if (dot < e) number.erase(dot, 1), power -= e - dot - 1;
+    if (abs(power) > most_power_of_ten) throw Malformed{"limit: power of ten"};
+    const unsigned long zeros = mpz_get_ui(power.get_mpz_t());  // its absolute value
+    spend(16 * zeros);
     mpz_class scale;
-    mpz_ui_pow_ui(scale.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(power)));
+    mpz_ui_pow_ui(scale.get_mpz_t(), 10, zeros);
+    value.get_num() = from_digits(number);
     (power < 0 ? value.get_den() : value.get_num()) *= scale;
   }
   spend_gcd(value.get_num(), value.get_den());
@@ -185,10 +169,10 @@ double nearest_double(std::string_view text) {
   // Out of range it does not say on which side. strtod, in the locale "C", does: 0 or denormal, or infinite.
   if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
   if (!std::isfinite(value)) throw Malformed{"beyond the range of doubles"};  // or "nan", "inf"
-  return value == 0 ? 0 : value;                                              // -0 is 0
+  return value;
 }
 
-void begin_line() { line_left = std::size_t{1} << 36; }
+void begin_line() { line_left = most_in_line; }
 
 void spend(std::size_t work) {
   if (work > line_left || work > total_left) throw Malformed{"limit: more work than is stated"};

@@ -40,7 +40,6 @@ struct EdgeName {
 class Tokens {
  public:
   explicit Tokens(std::string_view line);
-  /// The next token.
   std::string_view word();
   /// Takes the next token if it is `word`.
   bool accept(std::string_view word);
@@ -60,6 +59,8 @@ class Tokens {
  private:
   std::string_view line_;
   std::size_t at_ = 0;
+
+  std::string_view next() const;
 };
 
 /// The exact value of a decimal text ("-1.5e3"), or of "p/q" if `fractions`. Throws Malformed.
@@ -67,7 +68,7 @@ mpq_class exact_number(std::string_view text, bool fractions);
 /// The double nearest to a decimal text. Throws Malformed beyond the range of doubles.
 double nearest_double(std::string_view text);
 
-/// Work is counted in about limb operations; throws Malformed when a line's limit is spent.
+/// Work is counted in about limb operations; throws Malformed when a line's limit, or the total, is spent.
 void begin_line();
 void spend(std::size_t work);
 

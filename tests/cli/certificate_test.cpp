@@ -173,10 +173,33 @@ TEST_CASE("what --certificate and --elements refuse leaves no file") {
   require_refused(folder, {"check", "a.msh", "--certificate=a.msh"}, "is an input");
   require_refused(folder, {"check", "a.msh", "--elements=./a.msh"}, "is an input");
   require_refused(folder, {"check", "a.msh", "--certificate=c", "--elements=c"}, "given twice");
+  require_refused(folder, {"check", "a.msh", "--certificate=c", "--elements=./c"}, "given twice");
   require_refused(folder, {"check", "a.msh", "--certificate=c", "-o", "c"}, "given twice");
   require_refused(folder, {"check", meshes_folder + "plate_p4_22b.msh", "--certificate=c"},
                   "--elements=FILE");
   require_refused(folder, {"check", "missing.msh", "--certificate=c"}, "missing.msh");
   CHECK(folder.files() == std::vector<std::string>{"a.msh", "b.msh"});
   CHECK(bytes_of(folder / "a.msh") == trap_mesh);
+}
+
+TEST_CASE("cracks and elements that are very thin get their evidence all the same") {
+  const Folder folder;
+  // Found by a search from outside: a common edge whose middle points differ by 1e-20, and a triangle of
+  // height 1e-155. Both verdicts follow from the coordinates.
+  folder.write("crack.bez.json",
+               R"({"bezcert": 1, "elements": [{"kind": "triangle", "degree": 2, "points": [
+ ["2663/2500", "41/2000"], ["6279/4000", "889/20000"], ["20471/10000", "-7/1250"], ["6257/4000", "2199/4000"],
+ ["19754000001/10000000000", "2703/5000"], ["3971/2000", "622/625"]]}, {"kind": "triangle", "degree": 2, "points": [
+ ["2663/2500", "41/2000"], ["156425000000000000001/100000000000000000000", "2199/4000"], ["3971/2000", "622/625"],
+ ["19197/20000", "2563/5000"], ["151/100", "18897/20000"], ["2061/2000", "9613/10000"]]}]}
+)");
+  folder.write("thin.bez.json", R"({"bezcert": 1, "elements": [{"kind": "triangle", "degree": 1, "points": [
+ [0, 0], [1, 0], ["1/2", "1e-155"]]}]}
+)");
+  std::map<std::string, std::size_t> seen;
+  require_certified(folder, folder / "crack.bez.json", {}, seen);
+  require_certified(folder, folder / "thin.bez.json", {}, seen);
+  CHECK(seen["injective"] == 3);
+  CHECK(seen["mesh refuted"] == 1);
+  CHECK(seen["mesh embedding"] == 1);
 }

@@ -12,6 +12,9 @@
 namespace bezcert {
 namespace {
 
+// Halvings of an edge: half of what a checker takes.
+constexpr int deepest = 2048;
+
 // The point of the smallest denominators within `distance` in x and y.
 Point simplest_near(const Point& point, const Rational& distance) {
   return {simplest_between(point.x - distance, point.x + distance),
@@ -47,7 +50,6 @@ Rational angle_of(const Vector2<Rational>& v) {
 
 // No box of control points of a piece holds the point, when pieces are small enough.
 bool is_off(const CurveNet<Integer>& curve, const Point& point) {
-  constexpr int deepest = 56;
   DyadicCurve pieces(std::nullopt, curve);
   const auto box_holds = [&](const CurveNet<Integer>& net) {
     const auto is_inside = [&](const std::vector<Integer>& values, const Rational& at) {
@@ -76,13 +78,12 @@ bool is_off(const CurveNet<Integer>& curve, const Point& point) {
 }
 
 bool Coverage::covers(std::uint32_t element, const Point& point) const {
-  constexpr int depth = 56;
   if (claims_[element] != ElementState::injective) return false;
   int winding = 0;
   for (EdgeUse use = edges_.first(element); use < edges_.first(element + 1); ++use) {
     const RoundingScope scope;
     DyadicCurve curve = edges_.curve(use);
-    const std::optional<int> share = winding_share(curve, point, depth);
+    const std::optional<int> share = winding_share(curve, point, deepest);
     if (!share) return false;
     winding += *share;
   }
@@ -98,9 +99,9 @@ std::optional<Point> Coverage::left_of(EdgeUse use, const std::function<bool(con
   const Vector2<Rational> along = tangent_of(half);
   const Vector2<Rational> left{-along.y, along.x};
   const Point middle{Rational(half.x[0], half.w[0]), Rational(half.y[0], half.w[0])};
-  constexpr int tries = 48;
-  Rational step(1, 2);
-  for (int k = 0; k < tries; ++k, step /= 2) {
+  // Nearer and nearer, at last in leaps: overlaps may be very thin.
+  for (long k = 1; k <= 1024; k += k < 32 ? 1 : k) {
+    const Rational step = power_of_two(-k);
     const Point point = simplest_near(moved(middle, left, step), size_of(left) * step / 4);
     if (accepts(point)) return point;
   }

@@ -128,8 +128,8 @@ good("hull-rational-triangle", disc, f"injective {s} hull")
 good("orientation-rational", disc, f"injective {s} orientation")
 good("boundary-rational", disc, f"injective {s} {boundary(element(disc))}")
 good("boundary-rational-r", disc, f"injective {s} boundary m 1 0 m -1 1 m 0 -1 r j -1 1 j -2 -1")
-# Straight edges of degree 2: in their formal degrees the resultant is 0.
-bad("boundary-r-zero", disc, f"injective {s} boundary m 1 0 m -1 1 m 0 -1 r r r")
+# Straight edges of degree 2: F and G have degree 1 in t there.
+good("boundary-rational-r-all", disc, f"injective {s} boundary m 1 0 m -1 1 m 0 -1 r r r")
 bad("midpoint-rational", disc, f"injective {s} midpoint")
 flat = elements_file("orientation-flat.bez.json", bez_file(triangle(net("0,0 1,0 2,0 0,1 1,0 0,2"), 2, weights=[1, 2, 1, 2, 3, 1])))
 conic_quad = elements_file("rational-quad.bez.json", bez_file(quad(net("1,0 2,0 1,1 2,2 0,1 0,2"), 1, 2, weights=[1, 1, Q(3, 4), Q(3, 4), 1, 1])))

@@ -1,7 +1,7 @@
 """MEET of one element, claim `overlapping`."""
 from book import *
 from curves import check_meet, point, read_meet
-from injective_cases import corners, cross1, cross2, cubic, disc, linear, regular, third, turn, unit
+from injective_cases import corners, cross1, cross2, cubic, disc, linear, net, regular, third, turn, unit
 from sign_cases import trap
 from tokens import Rejected, Tokens
 from writing import *
@@ -45,6 +45,13 @@ for name, where, meet in (
         ("square-corner-cross", unit, "cross 3 1/2 1 0 0 1/2"), ("square-opposite", unit, "at 0 1/2 2 1/2"), ("cubic-corner-cross", cubic, "cross 0 1/2 1 1 0 1/2"),
         ("sickle-cross", turn, "cross 0 1/8 3/8 0 5/8 7/8"), ("sickle-at", turn, "at 0 1/4 0 3/4"), ("rational-corner", disc, "cross 0 1/2 1 1 0 1/2")):
     bad("overlapping-" + name, where, f"overlapping {regular(where) if where not in (linear, unit) else good_sign} {meet}")
+
+# d = 0: every product is 0.
+bad("overlapping-cross-d-zero", cross1, f"overlapping {s1} cross 0 1/4 3/4 2 1/8 7/8")
+# The lines through two edges meet, the edges do not.
+trapezoid = elements_file("trapezoid.bez.json", bez_file(quad(net("0,0 3,0 1,1 2,1"))))
+bad("overlapping-at-beyond-edges", trapezoid, "overlapping coefficients at 1 3/2 3 -1/2")
+bad("overlapping-root-beyond-edges", trapezoid, "overlapping coefficients root -2,0,1 1 2 1 3/2 3 -1/2")
 
 # Two edges that cross beside their common corner: found on edges 0 and 2 of `third`.
 x = element(third)

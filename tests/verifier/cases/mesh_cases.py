@@ -122,6 +122,8 @@ wrong_embedding("crossing-r", crossing, cc, ["pair 1.1 2.0 r"], 0)
 nested = elements_file("nested.msh", msh22(points("0,0 8,0 0,8 1,1 2,1 1,2"), ["2 1 2 3", "2 4 5 6"]))
 cn = claims_of(nested)
 wrong_embedding("nested", nested, cn, pairs_of(nested))
+good("embedding-pair-not-needed", apart, claims_of(apart), "embedding", ["pair 1.0 2.0 s 1 0"])
+wrong_embedding("pair-of-glued-far", star, cs, ["pair 1.2 3.1 s -1 -1"] + ps, 0)
 # A component in another's element, where the other has a hole elsewhere.
 beside_hole = elements_file("beside-hole.msh", msh22(grid + points("0.25,0.25 0.75,0.25 0.5,0.75"), [
     f"3 {4 * y + x + 1} {4 * y + x + 2} {4 * y + x + 6} {4 * y + x + 5}" for x, y in squares if (x, y) != (1, 1)] + ["2 17 18 19"]))
@@ -159,6 +161,20 @@ cf = claims_of(different)
 for r in ("1", "2", "3"):
     wrong_embedding("glue-different-curves-" + r, different, cf, [f"glue 1.1 2.0 1 {r}"], 0)
 wrong_embedding("different-curves-not-glued", different, cf, [])
+
+# Two arcs of one ellipse are a hole: rho = -1 takes one to the other.
+small = [((Q(1, 2), Q(-1, 2)), Q(1)), ((Q(2), Q(0)), Q(1, 2)), ((Q(1, 2), Q(1, 2)), Q(1))]
+rows = [P.mul1([Q(1), Q(3), Q(3), Q(1)], [w * (p + (1,))[k] for (p, _), w in zip(small, (1, -1, 1))]) for k in range(3)]
+large = [tuple(row[i] / [1, 5, 10, 10, 5, 1][i] for row in rows) for i in range(6)]
+large = [((x / w, y / w), w) for x, y, w in large[::-1]]
+annulus = elements_file("two-arcs.bez.json", bez_file(*[
+    quad([p for p, _ in arc] + [(2 * x, 2 * y) for (x, y), _ in arc], len(arc) - 1, 1, weights=[w for _, w in arc * 2]) for arc in (small[::-1], large[::-1])]))
+ca, pa = embedding("two-arcs", annulus)
+outer = [line for line in pa if ".0" not in line]
+for label, line in (("minus-one", "glue 1.0 2.0 1 -1"), ("plus-one", "glue 1.0 2.0 1 1"), ("j-two", "glue 1.0 2.0 2 1")):
+    wrong_embedding("glue-arcs-" + label, annulus, ca, [line] + outer, 0)
+not_refuted("pinch-two-arcs", annulus, ca, "pinch 1.0 2.1")
+not_refuted("touch-two-arcs", annulus, ca, "touch at 1.0 1/2 2.0 1/2")
 
 # -- refutations --
 for label, name, claim in (("degenerate", edge, "degenerate coefficients at 0 0"), ("folded", trap, "folded 0 1 at 1 0"), ("overlapping", cross1, f"overlapping {regular(cross1)} at 0 1/4 0 3/4"),
@@ -266,6 +282,9 @@ ce = ["injective coefficients midpoint"] * 3
 for label, name, claim in (("hanging-on-edge", on_edge, "gap 1.0 2.0 3.0"), ("hanging-far", far, "gap 1.0 2.0 3.0"), ("hanging-other-order", hanging, "gap 1.0 3.0 2.0"),
                            ("hanging-not-closed", hanging, "gap 1.0 2.0 3.1"), ("hanging-one-element", hanging, "gap 1.0 1.1 1.2")):
     not_refuted("gap-" + label, name, ce if name != hanging else cx, claim)
+chain = elements_file("hanging-two.msh", msh22(points("0,0 8,0 4,8 6,-0.5 2,-0.5 4,-8"), ["2 1 2 3", "2 2 4 6", "2 4 5 6", "2 5 1 6"]))
+cy = ["injective coefficients midpoint" if P.value2(x.N, 0, 0) > 0 else "undecided" for x in read(chain).elements]
+not_refuted("gap-hanging-two-nodes", chain, cy, "gap 1.0 2.0 4.0")
 refuted("touch-hanging-on-edge", on_edge, ce, "touch at 1.0 1/2 2.0 1")
 
 # -- meshes that are embeddings: no refutation may be accepted --

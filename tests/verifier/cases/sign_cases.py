@@ -226,6 +226,13 @@ square = jacobian("square", (V + 1) ** 2, False)
 bad("columns-r-zero", square, "regular columns u 0 - - - - 1 1/2 open open")
 bad("columns-b-zero", edge_square, "degenerate columns u 0 - - - - 1 1/2 open open at 0 0")
 
+# The column lies over a root of l, which r has as well: f is positive there, and everything else holds.
+over = jacobian("column-over-root", ((4 * U - 1) * V) ** 2 + V + 1, False)
+base, rows = column_factors(element(over).N, "u", False)
+listed = " ".join(["columns", "u", str(len(base))] + [",".join(map(str, f)) for f in base] + rows)
+good("columns-beside-root", over, f"regular {listed} 1 1/5 slab slab")
+bad("columns-over-root", over, f"regular {listed} 1 1/4 slab slab")
+
 # -- factors --
 line = jacobian("line-squared", (3 * U - 1) ** 2 * (V + 1))
 good("factors-none", line, "degenerate factors 2 2 -1,3 none 1 1;1 + coefficients at 1/3 1/3")

@@ -217,7 +217,7 @@ shaped = {
     "unused-node.msh": sound.replace("$Nodes\n3", "$Nodes\n4").replace("3 0 1 0", "3 0 1 0\n4 9 9 9"), "z.msh": sound.replace(" 0\n2 ", " 1.5\n2 ").replace("2 1 0 0", "2 1 0 1.5").replace("3 0 1 0", "3 0 1 1.5"),
     "minus-zero.msh": sound.replace("3 0 1 0", "3 -0.0 1 0"), "names.bez.json": sound_json.replace('"degree"', '"name": "a \\u00e9 \\"b\\"", "expect": "injective", "source": "", "degree"'),
     "numbers.bez.json": sound_json.replace('["1", "0"]', '[1e-1, 0.0]').replace('["0", "1"]', '["-0", "1/3"]'), "curves.bez.json": sound_json.replace('"bezcert": 1,', '"bezcert": 1, "curves": [ { "degree": 1, "points": [["0", "0"], ["1", "0"]] } ],'),
-    "elements-first.bez.json": '{ "elements": [ { "points": [[0, 0], [1, 0], [0, 1]], "degree": 1, "kind": "triangle" } ], "bezcert": 1 }', "large-exponent.bez.json": sound_json.replace('["1", "0"]', '["1e400", "0"]')}
+    "elements-first.bez.json": '{ "elements": [ { "points": [[0, 0], [1, 0], [0, 1]], "degree": 1, "kind": "triangle" } ], "bezcert": 1 }', "large-exponent.bez.json": sound_json.replace('["1", "0"]', '["1e400", "0"]').replace('["0", "1"]', '["0", "1e400"]')}
 for name, content in shaped.items():
     elements_file("shaped-" + name, content)
     good("elements-" + name.replace(".", "-"), "shaped-" + name, claim)

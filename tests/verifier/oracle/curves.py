@@ -74,6 +74,7 @@ def check_pair(tokens, a, b, joints, depth=0):
         require(len(joints) == 1, "j: joints")
         rest_a, rest_b = (a[:-1], b[1:]) if "eb" in joints else (a[:0:-1], b[-2::-1])
         q = affine(a[-1] if "eb" in joints else a[0])
+        require(q == affine(b[0] if "eb" in joints else b[-1]), "j: not one point")
         za = [dot(n, minus(affine(p), q)) for p in rest_a]
         zb = [dot(n, minus(affine(p), q)) for p in rest_b]
         require(all(z <= 0 for z in za) and all(z >= 0 for z in zb), "j")
@@ -117,7 +118,7 @@ def contact_polynomials(a, b):
 
 def contact_resultant(a, b):
     F, G = contact_polynomials(a, b)
-    n = len(b) - 1
+    n = max(P.degree2(F, 1), P.degree2(G, 1))
     return P.resultant_v(F, n, G, n)
 
 
