@@ -3,6 +3,7 @@
 #include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
+#include "bezcert/mesh/mesh_decider.hpp"
 #include "exit_code.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -52,9 +53,10 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, std::s
   std::vector<ElementState> states;
   states.reserve(mesh.elements.size());
   Progress progress(input, mesh.elements.size());
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+  const MeshDecider decider(mesh, options.budget, options.filter);
+  decider.decide_range(0, mesh.elements.size(), [&](std::size_t i, const Decision& decision) {
     const Element element = mesh.element(i);
-    const CheckedElement checked = check_element(element, options.criteria, options.budget);
+    const CheckedElement checked = check_decided(decision, Forms(element, options.filter), options.criteria);
     summary.add(checked);
     states.push_back(state_of(checked.decision));
     report.element(mesh, i, element, checked);
@@ -63,7 +65,7 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, std::s
       write_reproducer(input, mesh.elements[i], element, checked);
     }
     progress.done(i + 1);
-  }
+  });
   summary.mesh = examine_mesh(mesh, states, {options.budget.contact, std::nullopt});
   if (!options.domain.empty()) summary.domain = check_domain_of(mesh, options.domain, curves);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

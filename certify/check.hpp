@@ -20,6 +20,7 @@ struct CheckOptions {
   std::string domain;           ///< a file of curves the meshes are to conform to; empty: none
   bool fail_on_undecided = true;
   Budget budget;
+  Filter filter = Filter::on;  ///< off: elements are decided by integers alone, with the same report
 };
 
 /// The exit code. Throws InputError.

@@ -52,8 +52,13 @@ Agreement compare(const Verdict& verdict, const Decision& decision) {
 CheckedElement check_element(const Element& element, std::span<const Criterion* const> chosen,
                              const Budget& budget) {
   const Forms forms(element);
+  return check_decided(decide(forms, budget), forms, chosen);
+}
+
+CheckedElement check_decided(Decision decision, const Forms& forms,
+                             std::span<const Criterion* const> chosen) {
   CheckedElement result;
-  result.decision = decide(forms, budget);
+  result.decision = std::move(decision);
   for (const Criterion* criterion : chosen) {
     CheckedCriterion checked{criterion, criterion->check(forms), Agreement::consistent};
     checked.agreement = compare(checked.verdict, result.decision);

@@ -46,6 +46,9 @@ struct CheckedElement {
 CheckedElement check_element(const Element& element, std::span<const Criterion* const> chosen,
                              const Budget& budget);
 
+/// The same for an element that is decided already: `forms` are those of its element.
+CheckedElement check_decided(Decision decision, const Forms& forms, std::span<const Criterion* const> chosen);
+
 /// Whether the element is certainly not certifiable: an invalid verdict, or undecided with a witness that
 /// det J <= 0 somewhere.
 bool certainly_invalid(const Decision& decision);

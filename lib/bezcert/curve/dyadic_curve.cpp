@@ -26,6 +26,14 @@ DyadicCurve::DyadicCurve(std::optional<CurveNet<Interval>> interval, CurveNet<In
   nodes_.push_back(std::move(root));
 }
 
+DyadicCurve::DyadicCurve(CurveNet<Interval> interval, std::function<CurveNet<Integer>()> exact)
+    : exact_(std::move(exact)) {
+  if (interval.size() < 2) throw std::invalid_argument("DyadicCurve: at least two control points");
+  Node root;
+  root.interval = std::move(interval);
+  nodes_.push_back(std::move(root));
+}
+
 Rational DyadicCurve::lower(Piece piece) const {
   return Rational(nodes_[piece].position) * power_of_two(-nodes_[piece].depth);
 }
@@ -61,6 +69,9 @@ const CurveNet<T>& DyadicCurve::net(std::optional<CurveNet<T>> Node::*form, Piec
 }
 
 const CurveNet<Interval>& DyadicCurve::interval(Piece piece) { return net(&Node::interval, piece); }
-const CurveNet<Integer>& DyadicCurve::exact(Piece piece) { return net(&Node::exact, piece); }
+const CurveNet<Integer>& DyadicCurve::exact(Piece piece) {
+  if (!nodes_[whole].exact) nodes_[whole].exact = exact_();
+  return net(&Node::exact, piece);
+}
 
 }  // namespace bezcert

@@ -9,6 +9,7 @@
 #include "bezcert/number/rational.hpp"
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,8 @@ class DyadicCurve {
 
   /// Both forms of the same control points; without `interval` every predicate is exact.
   DyadicCurve(std::optional<CurveNet<Interval>> interval, CurveNet<Integer> exact);
+  /// The same with integers that are made when they are first asked for: `exact` is called at most once.
+  DyadicCurve(CurveNet<Interval> interval, std::function<CurveNet<Integer>()> exact);
 
   int depth(Piece piece) const { return nodes_[piece].depth; }
   /// The parameters where the piece begins and ends.
@@ -66,6 +69,7 @@ class DyadicCurve {
   const CurveNet<T>& net(std::optional<CurveNet<T>> Node::*form, Piece piece);
 
   std::deque<Node> nodes_;
+  std::function<CurveNet<Integer>()> exact_;
 };
 
 /// predicate(net of a, net of b) for pieces of two curves, on intervals or else exactly.

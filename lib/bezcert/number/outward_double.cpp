@@ -13,8 +13,8 @@ double power_of_two_double(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-// With y = x / h between 22/17 2^(bits-1) and 22/17 2^bits: y is exact, because h is a power of two, and so is
-// the choice of e, because x >= 22/17 2^k exactly if x is at least the next double above 22/17, times 2^k.
+// With y = x / h between 22/17 2^(bits-1) and 22/17 2^bits: y is exact, because h is a power of two, and so
+// is the choice of e, because x >= 22/17 2^k exactly if x is at least the next double above 22/17, times 2^k.
 // y -+ 5/17 errs by less than 2^(bits+1-52) for the sum, and by less than that for the constant, in any
 // rounding mode. The margin of 2^(bits-40) covers both, and that of its own sum.
 std::optional<Dyadic> round_positive_fast(double lower, double upper, Direction direction) {
