@@ -2,10 +2,10 @@
 //
 //   decide_rate [TARGET_TRIANGLES [FIRST_ORDER LAST_ORDER]]
 //
-// "decide" are final verdicts with the bounds of det J that a report shows. Rates are the best of three, in
-// one process, one thread, the mesh in memory. Also: how many elements blocks, intervals and integers
-// decided; what an element costs that needs integers; rational triangles against polynomial ones; and time
-// against the number of elements.
+// "decide" are final verdicts with the bounds of det J that a report shows. Rates are the best of several
+// runs, in one process, one thread, the mesh in memory. Also: how many elements blocks, intervals and
+// integers decided; what an element costs that needs integers; rational triangles against polynomial ones;
+// and time against the number of elements.
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
 #include "bezcert/mesh/mesh_decider.hpp"
@@ -32,9 +32,15 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double best_of_three(const std::function<void()>& work) {
-  double best = 1e300;
-  for (int k = 0; k < 3; ++k) best = std::min(best, seconds(work));
+// The best of at least three runs, and of as many as half a second holds: other work on the machine then hits
+// long and short runs alike.
+double best_of_runs(const std::function<void()>& work) {
+  double best = 1e300, total = 0;
+  for (int k = 0; k < 3 || (total < 0.5 && k < 200); ++k) {
+    const double time = seconds(work);
+    total += time;
+    best = std::min(best, time);
+  }
   return best;
 }
 
@@ -73,7 +79,7 @@ void count_failures(const Mesh& mesh, Outcome& outcome) {
 }
 
 double gmsh_check() {
-  return best_of_three([] {
+  return best_of_runs([] {
     // Plugins keep what they computed for a view: a new run computes again.
     gmsh::plugin::setNumber("AnalyseMeshQuality", "JacobianDeterminant", 1);
     gmsh::plugin::setNumber("AnalyseMeshQuality", "IGEMeasure", 0);
@@ -128,6 +134,31 @@ void bend(std::size_t, double& x, double& y) {
   y = radius * std::sin(angle);
 }
 
+// A random smooth displacement as of an elastic body: eight waves, 4 to 12 elements long, each with a strain
+// of 6%. The displaced map keeps det J > 0: the strains add up to less than one half in each entry.
+Move elastic(std::mt19937_64& random, double side) {
+  struct Wave {
+    double kx, ky, phase, dx, dy;
+  };
+  std::uniform_real_distribution<double> any(0, 1);
+  std::vector<Wave> waves;
+  for (int i = 0; i < 8; ++i) {
+    const double k = 2 * M_PI / (side * (4 + 8 * any(random)));
+    const double along = 2 * M_PI * any(random), towards = 2 * M_PI * any(random);
+    const double size = 0.06 / k;
+    waves.push_back({k * std::cos(along), k * std::sin(along), 2 * M_PI * any(random),
+                     size * std::cos(towards), size * std::sin(towards)});
+  }
+  return [waves](std::size_t, double& x, double& y) {
+    const double x0 = x, y0 = y;
+    for (const Wave& w : waves) {
+      const double s = std::sin(w.kx * x0 + w.ky * y0 + w.phase);
+      x += w.dx * s;
+      y += w.dy * s;
+    }
+  };
+}
+
 Mesh written_and_read(const std::string& path) {
   gmsh::write(path);
   return read_mesh(path, read_file(path));
@@ -135,7 +166,7 @@ Mesh written_and_read(const std::string& path) {
 
 void report(const char* kind, int order, const Mesh& mesh, double gmsh_seconds) {
   Outcome outcome;
-  const double ours = best_of_three([&] { outcome = decide_all(mesh); });
+  const double ours = best_of_runs([&] { outcome = decide_all(mesh); });
   count_failures(mesh, outcome);
   const auto count = static_cast<double>(mesh.elements.size());
   std::printf("%-10s %5d %8zu %8zu %9.0fk %9.0fk %6.2f  %8zu %7zu %6zu   %zu of %zu\n", kind, order,
@@ -162,20 +193,14 @@ void against_gmsh(double target, int first_order, int last_order, const std::str
     gmsh::model::mesh::setOrder(order);
     move_nodes(bend);
     report("annulus", order, written_and_read(path), gmsh_check());
-    // Every node of the annulus moves at random, by some of the distance between nodes.
     std::mt19937_64 random(5);
-    const double step = 0.06 * side / order;
-    std::uniform_real_distribution<double> any(-step, step);
-    move_nodes([&](std::size_t, double& x, double& y) {
-      x += any(random);
-      y += any(random);
-    });
+    move_nodes(elastic(random, side));
     report("perturbed", order, written_and_read(path), gmsh_check());
     // So many nodes far away that about 1% of the elements fold.
-    const int nodes_an_element = order * order;  // twice that many nodes lie in two triangles
-    std::uniform_int_distribution<int> die(1, 350 * nodes_an_element / 4);
+    // A mesh has order^2 / 2 nodes a triangle, and most nodes lie in two or one.
+    std::uniform_int_distribution<int> die(1, 80 * order * order);
     move_nodes([&](std::size_t, double& x, double&) {
-      if (die(random) == 1) x += 0.9 * side / order;
+      if (die(random) == 1) x += 1.2 * side / order;
     });
     report("1% folded", order, written_and_read(path), gmsh_check());
     gmsh::model::remove();
@@ -193,7 +218,9 @@ Mesh grid_mesh(int degree, std::size_t triangles, bool rational) {
       const double u = i * h, v = j * h;
       mesh.x.push_back(u + 0.1 * v * v + 0.02 * std::sin(6 * v));
       mesh.y.push_back(v + 0.1 * u * u);
-      if (rational) mesh.weights.push_back(1 + 0.3 * std::sin(3 * u + 40 * v * cells) * (i % 2));
+      // Corners have weight 1, the points between them weights as of circular arcs, from 0.75 on.
+      const bool corner = i % degree == 0 && j % degree == 0;
+      if (rational) mesh.weights.push_back(corner ? 1 : 0.875 + 0.125 * std::sin(3 * u + 40 * v));
     }
   }
   const auto node = [&](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
@@ -221,8 +248,8 @@ void rational_against_polynomial() {
   for (int degree = 2; degree <= 4; ++degree) {
     const Mesh polynomial = grid_mesh(degree, 50000, false), rational = grid_mesh(degree, 50000, true);
     Outcome p, r;
-    const double one = best_of_three([&] { p = decide_all(polynomial); });
-    const double two = best_of_three([&] { r = decide_all(rational); });
+    const double one = best_of_runs([&] { p = decide_all(polynomial); });
+    const double two = best_of_runs([&] { r = decide_all(rational); });
     std::printf("  degree %d: %.0fk and %.0fk, ratio %.2f (blocks: %zu, %zu; injective %zu, %zu)\n", degree,
                 50000 / two / 1e3, 50000 / one / 1e3, one / two, r.counts.batch, p.counts.batch, r.injective,
                 p.injective);
@@ -233,9 +260,9 @@ void cost_of_exact() {
   std::printf("\none element: microseconds by blocks, by intervals (no block), by integers alone\n");
   for (int degree = 1; degree <= 8; ++degree) {
     const Mesh mesh = grid_mesh(degree, 2000, false);
-    const double blocks = best_of_three([&] { decide_all(mesh); });
+    const double blocks = best_of_runs([&] { decide_all(mesh); });
     const auto one_by_one = [&](Filter filter) {
-      return best_of_three([&] {
+      return best_of_runs([&] {
         for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
           const Element element = mesh.element(i);
           decide(Forms(element, filter));
@@ -254,7 +281,7 @@ void linearity() {
   int points = 0;
   for (const std::size_t count : {1000, 10000, 100000, 1000000}) {
     const Mesh mesh = grid_mesh(3, count, false);
-    const double time = best_of_three([&] { decide_all(mesh); });
+    const double time = best_of_runs([&] { decide_all(mesh); });
     std::printf("  %8zu elements: %.6f s, %.0f ns each\n", count, time,
                 time * 1e9 / static_cast<double>(count));
     const double x = std::log(static_cast<double>(count)), y = std::log(time);

@@ -4,6 +4,7 @@
 #include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
+#include "bezcert/mesh/mesh_decider.hpp"
 #include "exit_code.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -54,7 +55,9 @@ struct CheckedBlock {
 
 CheckedBlock check_block(const Mesh& mesh, std::size_t begin, std::size_t end, const CheckOptions& options,
                          const Report& report) {
-  CheckedBlock block{begin, check_elements(mesh, begin, end, options.criteria, options.budget), {}};
+  CheckedBlock block;
+  block.first = begin;
+  block.elements = check_elements(mesh, begin, end, options.criteria, options.budget, options.filter);
   block.report.reserve(block.elements.size() * 384);
   for (std::size_t i = begin; i < end; ++i) report.element(mesh, i, block.elements[i - begin], block.report);
   if (options.certificate.empty()) return block;

@@ -22,7 +22,8 @@ struct CheckOptions {
   std::string elements;         ///< where to write the mesh as exact .bez.json; empty: none. One mesh only.
   bool fail_on_undecided = true;
   Budget budget;
-  int jobs = 0;  ///< threads; 0: one a core. Reports do not depend on it
+  int jobs = 0;                ///< threads; 0: one a core. Reports do not depend on it
+  Filter filter = Filter::on;  ///< off: elements are decided by integers alone, with the same report
 };
 
 /// The exit code. Throws InputError.

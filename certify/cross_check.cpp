@@ -63,12 +63,12 @@ void add(CheckedElement& element, const Criterion* criterion, Verdict verdict) {
 // An element with its number forms, copied out of the mesh when it is needed.
 class FullForms {
  public:
-  FullForms(const Mesh& mesh, std::size_t i) : mesh_(mesh), i_(i) {}
+  FullForms(const Mesh& mesh, std::size_t i, Filter filter) : mesh_(mesh), i_(i), filter_(filter) {}
 
   const Forms& get() {
     if (!element_) {
       element_ = mesh_.element(i_);
-      forms_.emplace(*element_);
+      forms_.emplace(*element_, filter_);
     }
     return *forms_;
   }
@@ -76,6 +76,7 @@ class FullForms {
  private:
   const Mesh& mesh_;
   std::size_t i_;
+  Filter filter_;
   std::optional<Element> element_;
   std::optional<Forms> forms_;
 };
@@ -100,9 +101,10 @@ CheckedElement check_element(const Element& element, std::span<const Criterion* 
 }
 
 std::vector<CheckedElement> check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
-                                           std::span<const Criterion* const> chosen, const Budget& budget) {
+                                           std::span<const Criterion* const> chosen, const Budget& budget,
+                                           Filter filter) {
   std::vector<CheckedElement> result(end - begin);
-  MeshDecider(mesh, budget).decide_range(begin, end, [&](std::size_t i, const Decision& decision) {
+  MeshDecider(mesh, budget, filter).decide_range(begin, end, [&](std::size_t i, const Decision& decision) {
     result[i - begin].decision = decision;
   });
   if (chosen.empty()) return result;
@@ -110,8 +112,8 @@ std::vector<CheckedElement> check_elements(const Mesh& mesh, std::size_t begin, 
   for (std::size_t i = begin; i < end; ++i) {
     CheckedElement& checked = result[i - begin];
     checked.criteria.reserve(chosen.size());
-    const bool is_quick = load(mesh, i, net);
-    FullForms forms(mesh, i);
+    const bool is_quick = filter == Filter::on && load(mesh, i, net);
+    FullForms forms(mesh, i, filter);
     for (const Criterion* criterion : chosen) {
       const std::optional<Status> status =
           is_quick && criterion->quick ? criterion->quick(net) : std::nullopt;

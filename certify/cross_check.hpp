@@ -49,7 +49,8 @@ CheckedElement check_element(const Element& element, std::span<const Criterion* 
 /// The same for elements begin ... end - 1 of a mesh, but verdicts of criteria need have no more than their
 /// status.
 std::vector<CheckedElement> check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
-                                           std::span<const Criterion* const> chosen, const Budget& budget);
+                                           std::span<const Criterion* const> chosen, const Budget& budget,
+                                           Filter filter = Filter::on);
 
 /// Whether the element is certainly not certifiable: an invalid verdict, or undecided with a witness that
 /// det J <= 0 somewhere.

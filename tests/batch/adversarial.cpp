@@ -1,5 +1,5 @@
-// Blocks against exact arithmetic: what a block says is true, and its enclosures contain the exact numbers, on elements
-// made to break its error bounds.
+// Blocks against exact arithmetic: what a block says is true, and its enclosures contain the exact numbers,
+// on elements made to break its error bounds.
 #include "batch/hostile_mesh.hpp"
 
 #include "bezcert/decide/injectivity.hpp"
@@ -44,8 +44,8 @@ struct Seen {
 
 std::string show(const DoubleNet& net) {
   std::ostringstream text;
-  text << (net.shape.domain == Domain::triangle ? "triangle " : "square ") << net.shape.p << " " << net.shape.q
-       << (net.basis == Basis::lagrange ? " lagrange" : " bernstein") << std::hexfloat;
+  text << (net.shape.domain == Domain::triangle ? "triangle " : "square ") << net.shape.p << " "
+       << net.shape.q << (net.basis == Basis::lagrange ? " lagrange" : " bernstein") << std::hexfloat;
   for (std::size_t i = 0; i < net.x.size(); ++i) {
     text << " (" << net.x[i] << "," << net.y[i];
     if (!net.w.empty()) text << "," << net.w[i];

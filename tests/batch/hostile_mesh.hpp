@@ -1,5 +1,5 @@
-// Elements that try to break a bound on rounding errors: coordinates that cancel, nets that are degenerate but
-// for rounding, elements far from the origin, of all sizes, and elements that a block only just settles.
+// Elements that try to break a bound on rounding errors: coordinates that cancel, nets that are degenerate
+// but for rounding, elements far from the origin, of all sizes, and elements that a block only just settles.
 #pragma once
 
 #include "bezcert/mesh/mesh_decider.hpp"
@@ -58,18 +58,21 @@ inline DoubleNet noisy_identity(Random& random, Shape shape, bool rational, doub
     for (int c = 0; c < column_count(shape, r); ++c) {
       net.x.push_back(c + noise * unit(random));
       net.y.push_back(r + noise * unit(random));
-      if (rational) net.w.push_back(std::ldexp(1.5 + unit(random) / 2, static_cast<int>(random.integer(-2, 2))));
+      if (rational)
+        net.w.push_back(std::ldexp(1.5 + unit(random) / 2, static_cast<int>(random.integer(-2, 2))));
     }
   }
   return net;
 }
 
-/// Points on a line or on few lines, in skew coordinates: determinants that are 0 but for the rounding of inputs.
+/// Points on a line or on few lines, in skew coordinates: determinants that are 0 but for the rounding of
+/// inputs.
 inline void flatten(Random& random, DoubleNet& net) {
   const double a = unit(random), b = unit(random), c = unit(random), d = unit(random);
   const bool line = random.chance(50);
   for (std::size_t i = 0; i < net.x.size(); ++i) {
-    const double s = net.x[i], t = line ? std::ldexp(net.y[i], -static_cast<int>(random.integer(20, 60))) : net.y[i];
+    const double s = net.x[i],
+                 t = line ? std::ldexp(net.y[i], -static_cast<int>(random.integer(20, 60))) : net.y[i];
     net.x[i] = a * s + b * t;
     net.y[i] = c * s + d * t;
   }
@@ -104,7 +107,8 @@ inline void shift_far(Random& random, DoubleNet& net) {
 
 /// Of any size that doubles have, subnormal numbers included.
 inline void scale_wildly(Random& random, DoubleNet& net) {
-  const int common = static_cast<int>(random.chance(50) ? random.integer(-130, 130) : random.integer(-1080, 1015));
+  const int common =
+      static_cast<int>(random.chance(50) ? random.integer(-130, 130) : random.integer(-1080, 1015));
   const int more = random.chance(30) ? static_cast<int>(random.integer(-60, 60)) : 0;
   for (double& x : net.x) x = std::ldexp(x, common);
   for (double& y : net.y) y = std::ldexp(y, std::min(common + more, 1015));

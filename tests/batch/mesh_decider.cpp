@@ -1,4 +1,5 @@
-// A mesh's decisions are those of its elements alone, with and without filters, in every part that a report shows.
+// A mesh's decisions are those of its elements alone, with and without filters, in every part that a report
+// shows.
 #include "batch/hostile_mesh.hpp"
 
 #include <catch2/catch.hpp>
@@ -96,7 +97,8 @@ TEST_CASE("MeshDecider decides a part of a mesh as the whole, whatever the windo
   DecisionCounts counts;
   const auto whole = decisions(mesh, Filter::on, counts);
   const std::size_t size = mesh.elements.size();
-  for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 0}, {0, 1}, {5, 21}, {250, 520}, {599, size}}) {
+  for (const auto& [first, last] :
+       {std::pair<std::size_t, std::size_t>{0, 0}, {0, 1}, {5, 21}, {250, 520}, {599, size}}) {
     std::size_t at = first;
     MeshDecider(mesh, small_budget()).decide_range(first, last, [&](std::size_t i, const Decision& decision) {
       REQUIRE(i == at++);

@@ -1,9 +1,10 @@
 // What floating point proves of many elements at once: most elements of most meshes.
 //
 // An element that comes out settled is injective, and every field of its Decision is known: the sign is
-// proved by the "coefficients" of the whole domain, injectivity by the named proof, and the bounds of det J are the
-// grid points (number/outward.hpp) that the exact extremes round to. All three are functions of the exact element: the
-// same element decided with intervals or integers gives the same answer. What is not settled is open.
+// proved by the "coefficients" of the whole domain, injectivity by the named proof, and the bounds of det J
+// are the grid points (number/outward.hpp) that the exact extremes round to. All three are functions of the
+// exact element: the same element decided with intervals or integers gives the same answer. What is not
+// settled is open.
 #pragma once
 
 #include "bezcert/batch/block.hpp"

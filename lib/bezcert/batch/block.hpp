@@ -1,7 +1,7 @@
 // One block: up to eight elements of one kind, shape and basis, in plain doubles with proven error bounds.
 //
-// The block finds enclosures of the extreme Bernstein coefficients of det J (times W^3 / ...: see BlockResult)
-// and says of each element whether two things are certain:
+// The block finds enclosures of the extreme Bernstein coefficients of det J (times W^3 / ...: see
+// BlockResult) and says of each element whether two things are certain:
 //   - every Bernstein coefficient of the Jacobian numerator is > 0 (criteria.md, "coefficients": regular);
 //   - the element is injective by "midpoint" or "jacobian_hull" (decision.md).
 // What it does not settle is no statement at all: the caller decides it with intervals and integers.
@@ -39,11 +39,10 @@ struct BlockTable {
   const std::uint16_t* row_start = nullptr;
   const std::uint16_t* column = nullptr;
   const double* value = nullptr;
-  /// Multinomials: of the two derivatives, of the net (rational), and the inverse ones of the columns
+  /// Multinomials: of the two derivatives (rational: of the sub-nets), and the inverse ones of the columns
   /// (rational) and of N, there with the factor of det J.
   const double* along_u = nullptr;
   const double* along_v = nullptr;
-  const double* net = nullptr;
   const double* columns = nullptr;
   const double* determinant = nullptr;
   Errors errors;
@@ -57,8 +56,8 @@ struct Nodes {
   const std::uint32_t* connectivity = nullptr;
 };
 
-/// Of each element: whether it is certainly regular and injective, and then enclosures (positive doubles) of the
-/// four numbers that DeterminantBounds rounds.
+/// Of each element: whether it is certainly regular and injective, and then enclosures (positive doubles) of
+/// the four numbers that DeterminantBounds rounds.
 struct BlockResult {
   enum Bound { min_lower, min_upper, max_lower, max_upper };
   double lower[4][lane_count];

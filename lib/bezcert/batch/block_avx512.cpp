@@ -3,7 +3,8 @@
 
 namespace bezcert::batch {
 
-void run_block_avx512(const BlockTable& table, const Nodes& nodes, const std::size_t* first, BlockResult& result) {
+void run_block_avx512(const BlockTable& table, const Nodes& nodes, const std::size_t* first,
+                      BlockResult& result) {
   run_block(table, nodes, first, result);
 }
 

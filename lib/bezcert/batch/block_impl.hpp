@@ -1,11 +1,11 @@
 // The block function, included by one file an instruction set (block_*.cpp).
 //
-// Error bounds of the table are in units of X Y (rational: of X Y W^4 for cone and mixed terms, X Y W^3 for the
-// determinant), with X, Y, W the largest |coordinate relative to the first node|, and weight, of the element:
-// those numbers are computed, and are inputs of magnitude at most 1 in these units. Elements with X or Y outside
-// [2^-100, 2^100], or W outside [2^-20, 2^20], are not settled: units stay within 2^-280 and 2^280, as
-// static_bound.hpp needs, and nothing overflows. Infinities and NaN fail this test or the next: every
-// comparison is written so that NaN settles nothing.
+// Error bounds of the table are in units of X Y (rational: of X Y W^4 for cone and mixed terms, X Y W^3 for
+// the determinant), with X, Y, W the largest |coordinate relative to the first node|, and weight, of the
+// element: those numbers are computed, and are inputs of magnitude at most 1 in these units. Elements with X
+// or Y outside [2^-100, 2^100], or W outside [2^-20, 2^20], are not settled: units stay within 2^-280 and
+// 2^280, as static_bound.hpp needs, and nothing overflows. Infinities and NaN fail this test or the next:
+// every comparison is written so that NaN settles nothing.
 #pragma once
 
 #include "bezcert/batch/kernel.hpp"
@@ -27,13 +27,12 @@ BEZCERT_INLINE bool any(const Mask& mask) {
 
 BEZCERT_INLINE Lanes same(double value) { return Lanes{} + Lanes{Lanes::Vector{} + value}; }
 
-/// Node by node: the values of eight elements.
+/// Element by element: each has a lane.
 BEZCERT_INLINE void gather(const double* from, const std::uint32_t* connectivity, const std::size_t* first,
                            int count, Lanes* to) {
-  for (int i = 0; i < count; ++i) {
-    alignas(Lanes) double values[lane_count];
-    for (int k = 0; k < lane_count; ++k) values[k] = from[connectivity[first[k] + static_cast<std::size_t>(i)]];
-    __builtin_memcpy(&to[i], values, sizeof values);
+  for (int k = 0; k < lane_count; ++k) {
+    const std::uint32_t* nodes = connectivity + first[k];
+    for (int i = 0; i < count; ++i) to[i].v[k] = from[nodes[i]];
   }
 }
 
@@ -151,9 +150,12 @@ BEZCERT_INLINE void run_degree(const BlockTable& table, const Nodes& nodes, cons
       case 2: return run<kind, 2>(table, nodes, first, result);
       case 3: return run<kind, 3>(table, nodes, first, result);
       case 4: return run<kind, 4>(table, nodes, first, result);
-      case 5: return run<kind, 5>(table, nodes, first, result);
-      case 6: return run<kind, 6>(table, nodes, first, result);
       default: break;
+    }
+    // Above, the rational kernel is mostly loops, and code that is made for one degree only gets long.
+    if constexpr (kind != Kind::rational_triangle) {
+      if (table.p == 5) return run<kind, 5>(table, nodes, first, result);
+      if (table.p == 6) return run<kind, 6>(table, nodes, first, result);
     }
   }
   run<kind, 0>(table, nodes, first, result);

@@ -3,18 +3,22 @@
 // Control points are relative to the first one. With a_i the Bernstein coefficients of x_u and b_j those of
 // x_v (differences of control points; rational: of W X_u - X W_u and W X_v - X W_v, times W^2 those of x):
 //
-// 1. The Bernstein coefficients of det J (rational: of degree_factor N) and their extremes. Polynomial: det J is
-//    degree_factor times the product x_u x x_v, whose scaled coefficients are sums of cross products a_i x b_j;
-//    by uniqueness they are those of N in jacobian.md. Rational: N = F_0 . ((F_1 - F_0) x (F_2 - F_0)).
+// 1. The Bernstein coefficients of det J (rational: of degree_factor N) and their extremes. Polynomial:
+//    det J is degree_factor times the product x_u x x_v, whose scaled coefficients are sums of cross products
+//    a_i x b_j; by uniqueness they are those of N in jacobian.md. Rational: N = F_0 . (F_1 x F_2), expanded
+//    by the minors [r s] = W_r X_s - X_r W_s (and with Y) of two sub-nets F_r, F_s that the columns need as
+//    well: as W = sum xi_r W_r and X_u / n = X_1 - X_0,
+//      (W X_u - X W_u) / n = sum xi_r ([r 1] - [r 0]) = (xi_0 + xi_1) [0 1] + xi_2 ([0 2] - [1 2]),
+//      (W X_v - X W_v) / n = sum xi_r ([r 2] - [r 0]) = (xi_0 + xi_2) [0 2] + xi_1 ([1 2] + [0 1]).
 //
-// 2. Cone. For any two vectors a, b: (a_i x b_j)(a x b) = P_i S_j - Q_i R_j with P_i = a_i x b, Q_i = a x a_i,
-//    R_j = b_j x b, S_j = a x b_j (the Pluecker relation; exact for whatever doubles a, b are). Let p, s be
-//    lower bounds of all P_i, S_j, and q, r upper bounds of all |Q_i|, |R_j|. If p, s > 0 and p s > q r, then
-//    all (a_i x b_j)(a x b) > 0. As some a_i x b_i is a corner coefficient of N (up to a positive factor),
-//    which is > 0 by 1, a x b > 0 and all a_i x b_j > 0. Then all mixed terms a_i x b_j + a_j x b_i of the Jacobian's hull
-//    are > 0: the condition of jacobian_hull holds. On the square jacobian_hull takes both columns
-//    in one basis: its a's and b's are convex combinations of these, so it holds there as well.
-//    This takes one pass instead of all pairs.
+// 2. Cone. For any two vectors a, b: (a_i x b_j)(a x b) = P_i S_j - Q_i R_j with P_i = a_i x b,
+//    Q_i = a x a_i, R_j = b_j x b, S_j = a x b_j (the Pluecker relation; exact for whatever doubles a, b
+//    are). Let p, s be lower bounds of all P_i, S_j, and q, r upper bounds of all |Q_i|, |R_j|. If p, s > 0
+//    and p s > q r, then all (a_i x b_j)(a x b) > 0. As some a_i x b_j is a corner coefficient of N (up to a
+//    positive factor), which is > 0 by 1, a x b > 0 and all a_i x b_j > 0. Then all mixed terms a_i x b_j +
+//    a_j x b_i of the Jacobian's hull are > 0: the condition of jacobian_hull holds. On the square
+//    jacobian_hull takes both columns in one basis: its a's and b's are convex combinations of these, so it
+//    holds there as well. This takes one pass instead of all pairs.
 //
 // 3. Mixed. All pairs a_i x b_j + a_j x b_i, for elements that 2 leaves open (not on the square).
 #pragma once
@@ -61,8 +65,7 @@ class Kernel {
     control_points();
     if constexpr (is_rational) {
       homogeneous();
-      rational_determinant(result);
-      if (cone) rational_columns();
+      rational_forms(result, cone);
     } else {
       polynomial_columns();
       polynomial_determinant(result);
@@ -189,130 +192,117 @@ class Kernel {
       vx[i] = bx_[i] * table_.along_v[i];
       vy[i] = by_[i] * table_.along_v[i];
     }
-    const int un = degree() - 1, um = is_square ? degree_v() : degree() - 1;
-    const int vn = is_square ? degree() : degree() - 1, vm = is_square ? degree_v() - 1 : degree() - 1;
-    const int n = un + vn, m = um + vm;
-    int index = 0;
-    for (int r = 0; r <= m; ++r) {
-      for (int c = 0; c <= (is_square ? n : n - r); ++c, ++index) {
-        bool first = true;
-        T sum = ux[0];
-        for (int i = most(0, r - vm); i <= least(um, r); ++i) {
-          const int low = most(0, c - (is_square ? vn : vn - (r - i)));
-          const int high = least(is_square ? un : un - i, c);
-          for (int k = low; k <= high; ++k) {
-            const int u = at(un, i, k), v = at(vn, r - i, c - k);
-            const T term = ux[u] * vy[v] - uy[u] * vx[v];
-            sum = first ? term : sum + term;
-            first = false;
-          }
-        }
-        add(result, index, corner_at(n, m, r, c), sum * table_.determinant[index]);
+    const auto term = [&](int u, int v) { return ux[u] * vy[v] - uy[u] * vx[v]; };
+    T sums[is_square ? 4 * cap * cap : triangle_size(2 * cap - 2)];
+    const int n = degree(), m = degree_v();
+    if constexpr (is_square) {
+      product({n - 1, m}, {n, m - 1}, term, sums);
+      finish(result, 2 * n - 1, 2 * m - 1, sums);
+    } else {
+      product({n - 1, 0}, {n - 1, 0}, term, sums);
+      finish(result, 2 * n - 2, 0, sums);
+    }
+  }
+
+  // The coefficients of det J from scaled ones, in degrees n (and m).
+  BEZCERT_INLINE void finish(Extent<T>& result, int n, int m, const T* sums) const {
+    int i = 0;
+    for (int r = 0; r <= (is_square ? m : n); ++r) {
+      for (int c = 0; c <= (is_square ? n : n - r); ++c, ++i) {
+        add(result, i, corner_at(n, m, r, c), sums[i] * table_.determinant[i]);
       }
     }
   }
 
-  // sum over the pairs of rows and columns of visit(position in f, position in g), for coefficient (r, c) of a
-  // product of triangles of degrees n and m.
-  template <class Visit>
-  BEZCERT_INLINE static T coefficient_of_product(int n, int m, int r, int c, Visit visit) {
-    bool first = true;
-    T sum{};
-    for (int i = most(0, r - m); i <= least(n, r); ++i) {
-      for (int k = most(0, c - (m - (r - i))); k <= least(n - i, c); ++k) {
-        const T term = visit(at(n, i, k), at(m, r - i, c - k));
-        if (first) {
-          sum = term;
-        } else {
-          sum = sum + term;
+  struct Degrees {
+    int p, q;
+  };
+
+  // A product in scaled coefficients: to coefficient (r + s, c + d) goes term(position of (r, c), position of
+  // (s, d)). The inner loops have constant length, so that nothing depends on short loops' ends.
+  template <class Term>
+  BEZCERT_INLINE static void product(Degrees f, Degrees g, Term term, T* result) {
+    const int n = f.p + g.p;
+    const int size = is_square ? (n + 1) * (f.q + g.q + 1) : triangle_size(n);
+    for (int i = 0; i < size; ++i) result[i] = T{};
+    int u = 0;
+    for (int r = 0; r <= (is_square ? f.q : f.p); ++r) {
+      for (int c = 0; c <= (is_square ? f.p : f.p - r); ++c, ++u) {
+        int v = 0;
+        for (int s = 0; s <= (is_square ? g.q : g.p); ++s) {
+          T* to = result + at(n, r + s, c);
+          for (int d = 0; d <= (is_square ? g.p : g.p - s); ++d, ++v) to[d] = to[d] + term(u, v);
         }
-        first = false;
       }
     }
-    return sum;
   }
 
-  // N = F_0 . ((F_1 - F_0) x (F_2 - F_0)) in scaled coefficients.
-  BEZCERT_INLINE void rational_determinant(Extent<T>& result) {
+  // One minor f other - g h of degree 2 (n-1), in scaled coefficients.
+  BEZCERT_INLINE void minor(const T* f, const T* g, const T* h, const T* other, T* result) const {
     const int n = degree() - 1;
-    const int size = triangle_size(n);
-    differences(x_, ax_, bx_);
-    differences(y_, ay_, by_);
-    differences(weight, aw_, bw_);
-    T fx[point_cap], fy[point_cap], fw[point_cap];
+    product(
+        {n, 0}, {n, 0}, [&](int u, int v) { return f[u] * other[v] - g[u] * h[v]; }, result);
+  }
+
+  BEZCERT_INLINE void rational_forms(Extent<T>& result, bool cone) {
+    // The sub-nets F_0, F_1, F_2, in scaled coefficients.
+    const int n = degree() - 1;
+    T fx[3][triangle_size(cap - 1)], fy[3][triangle_size(cap - 1)], fw[3][triangle_size(cap - 1)];
     int i = 0;
     for (int r = 0; r <= n; ++r) {
       for (int c = 0; c <= n - r; ++c, ++i) {
-        const double factor = table_.along_u[i];
-        const int from = at(n + 1, r, c);
-        fx[i] = x_[from] * factor;
-        fy[i] = y_[from] * factor;
-        fw[i] = weight[from] * factor;
+        for (int k = 0; k < 3; ++k) {
+          const int from = at(n + 1, r + (k == 2), c + (k == 1));
+          fx[k][i] = x_[from] * table_.along_u[i];
+          fy[k][i] = y_[from] * table_.along_u[i];
+          fw[k][i] = weight[from] * table_.along_u[i];
+        }
       }
     }
-    const auto scale = [&](T* values) {
-      for (int k = 0; k < size; ++k) values[k] = values[k] * table_.along_u[k];
-    };
-    scale(ax_);
-    scale(ay_);
-    scale(aw_);
-    scale(bx_);
-    scale(by_);
-    scale(bw_);
-    T gx[triangle_size(2 * cap - 2)], gy[triangle_size(2 * cap - 2)], gw[triangle_size(2 * cap - 2)];
-    i = 0;
-    for (int r = 0; r <= 2 * n; ++r) {
-      for (int c = 0; c <= 2 * n - r; ++c, ++i) {
-        const auto minor = [&](const T* a1, const T* b2, const T* a2, const T* b1) {
-          return coefficient_of_product(n, n, r, c,
-                                        [&](int u, int v) { return a1[u] * b2[v] - a2[u] * b1[v]; });
-        };
-        gx[i] = minor(ay_, bw_, aw_, by_);
-        gy[i] = minor(aw_, bx_, ax_, bw_);
-        gw[i] = minor(ax_, by_, ay_, bx_);
-      }
-    }
-    i = 0;
-    for (int r = 0; r <= 3 * n; ++r) {
-      for (int c = 0; c <= 3 * n - r; ++c, ++i) {
-        const T sum = coefficient_of_product(n, 2 * n, r, c, [&](int u, int v) {
-          return fx[u] * gx[v] + fy[u] * gy[v] + fw[u] * gw[v];
-        });
-        add(result, i, corner_at(3 * n, 0, r, c), sum * table_.determinant[i]);
-      }
-    }
+    constexpr int size = triangle_size(2 * cap - 2);
+    T x01[size], x02[size], x12[size], y01[size], y02[size], y12[size], xy12[size];
+    minor(fw[1], fx[1], fw[2], fx[2], x12);
+    minor(fw[1], fy[1], fw[2], fy[2], y12);
+    minor(fx[1], fy[1], fx[2], fy[2], xy12);
+    // F_1 x F_2 = (Y_1 W_2 - W_1 Y_2, W_1 X_2 - X_1 W_2, X_1 Y_2 - Y_1 X_2) = (-y12, x12, xy12).
+    T sums[triangle_size(3 * cap - 3)];
+    product(
+        {n, 0}, {2 * n, 0},
+        [&](int u, int v) { return fw[0][u] * xy12[v] + (fy[0][u] * x12[v] - fx[0][u] * y12[v]); }, sums);
+    finish(result, 3 * n, 0, sums);
+    if (!cone) return;
+    minor(fw[0], fx[0], fw[1], fx[1], x01);
+    minor(fw[0], fx[0], fw[2], fx[2], x02);
+    minor(fw[0], fy[0], fw[1], fy[1], y01);
+    minor(fw[0], fy[0], fw[2], fy[2], y02);
+    rational_columns(x01, x02, x12, ax_, bx_);
+    rational_columns(y01, y02, y12, ay_, by_);
   }
 
-  // W X_u - X W_u and the other three, from the scaled differences that rational_determinant left.
-  BEZCERT_INLINE void rational_columns() {
-    const int n = degree();
-    T sx[point_cap], sy[point_cap], sw[point_cap];
-    for (int i = 0; i < point_count(); ++i) {
-      sx[i] = x_[i] * table_.net[i];
-      sy[i] = y_[i] * table_.net[i];
-      sw[i] = weight[i] * table_.net[i];
-    }
-    T ux[column_cap], uy[column_cap], vx[column_cap], vy[column_cap];
-    int index = 0;
-    for (int r = 0; r <= 2 * n - 1; ++r) {
-      for (int c = 0; c <= 2 * n - 1 - r; ++c, ++index) {
-        const auto column = [&](const T* along, const T* values, const T* weight_along) {
-          const T sum = coefficient_of_product(n - 1, n, r, c, [&](int u, int v) {
-            return along[u] * sw[v] - values[v] * weight_along[u];
-          });
-          return sum * table_.columns[index];
-        };
-        ux[index] = column(ax_, sx, aw_);
-        uy[index] = column(ay_, sy, aw_);
-        vx[index] = column(bx_, sx, bw_);
-        vy[index] = column(by_, sy, bw_);
+  // The columns from the minors [0 1], [0 2], [1 2]: multiplication by xi_r moves scaled coefficients by one.
+  BEZCERT_INLINE void rational_columns(const T* m01, const T* m02, const T* m12, T* a, T* b) const {
+    const int n = 2 * degree() - 2;
+    int i = 0;
+    for (int r = 0; r <= n + 1; ++r) {
+      for (int c = 0; c <= n + 1 - r; ++c, ++i) {
+        const bool has0 = r + c <= n, has1 = c > 0, has2 = r > 0;
+        const int from0 = at(n, r, c), from1 = at(n, r, c - 1), from2 = at(n, r - 1, c);
+        T u{}, v{};
+        if (has0) {
+          u = m01[from0];
+          v = m02[from0];
+        }
+        if (has1) {
+          u = u + m01[from1];
+          v = v + (m12[from1] + m01[from1]);
+        }
+        if (has2) {
+          u = u + (m02[from2] - m12[from2]);
+          v = v + m02[from2];
+        }
+        a[i] = u * table_.columns[i];
+        b[i] = v * table_.columns[i];
       }
-    }
-    for (int i = 0; i < index; ++i) {
-      ax_[i] = ux[i];
-      ay_[i] = uy[i];
-      bx_[i] = vx[i];
-      by_[i] = vy[i];
     }
   }
 
@@ -344,7 +334,6 @@ class Kernel {
   const T* y_ = nullptr;
   T point_x_[point_cap], point_y_[point_cap];
   T ax_[column_cap], ay_[column_cap], bx_[column_cap], by_[column_cap];
-  T aw_[homogeneous_cap], bw_[homogeneous_cap];
 };
 
 }  // namespace bezcert::batch

@@ -1,8 +1,9 @@
 // Eight doubles at once: one number of each of eight elements.
 //
 // A vector type of the compiler: the same statements become SSE2, AVX2 or AVX-512 instructions, according
-// to the flags of the file that includes this. The type has internal linkage on purpose: every file's templates over it
-// are its own, so that no function compiled for one processor is ever taken for that of another.
+// to the flags of the file that includes this. The type has internal linkage on purpose: every file's
+// templates over it are its own, so that no function compiled for one processor is ever taken for that of
+// another.
 #pragma once
 
 #define BEZCERT_INLINE [[gnu::always_inline]] inline

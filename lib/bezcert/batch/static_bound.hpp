@@ -6,9 +6,9 @@
 // valid for all inputs within the magnitudes it is started with. So the bound of each degree is derived by
 // the program, and cannot disagree with the order of operations that the compiler sees.
 //
-// Rules. Let a, b be computed and A, B exact, |a| <= m, |a - A| <= e (b: n, f), and let one operation of doubles
-// err by at most eps |result| + tiny, with eps = 2^-52: true for round to nearest (2^-53) and for the other
-// rounding modes, and with or without subnormal numbers (tiny).
+// Rules. Let a, b be computed and A, B exact, |a| <= m, |a - A| <= e (b: n, f), and let one operation of
+// doubles err by at most eps |result| + tiny, with eps = 2^-52: true for round to nearest (2^-53) and for the
+// other rounding modes, and with or without subnormal numbers (tiny).
 //   a + b, a - b:  |fl| <= m + n (rounding is monotone),  error <= e + f + eps (m + n) + tiny
 //   a b:           |fl| <= m n,   |a b - A B| = |a (b - B) + B (a - A)| <= m f + (n + f) e,
 //                  error <= m f + (n + f) e + eps m n + tiny
@@ -19,9 +19,9 @@
 // products of the bounds themselves are rounded up, by taking the next double.
 //
 // Inputs are taken in units: the largest coordinate is 1. Results of degree k in the coordinates scale by the
-// k-th power, the relative terms with them. tiny does not: an operation that underflows errs by at most 2^-1022, which
-// in units is 2^-1022 / (unit of the result). The block (block_impl.hpp) admits only elements for which
-// every unit is at least 2^-280, hence 2^-1022 <= tiny units with tiny = 2^-600.
+// k-th power, the relative terms with them. tiny does not: an operation that underflows errs by at most
+// 2^-1022, which in units is 2^-1022 / (unit of the result). The block (block_impl.hpp) admits only elements
+// for which every unit is at least 2^-280, hence 2^-1022 <= tiny units with tiny = 2^-600.
 #pragma once
 
 #include <cmath>

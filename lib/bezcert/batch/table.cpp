@@ -19,11 +19,10 @@ struct OwnedTable {
   BlockTable table;
   bool usable = false;
   std::vector<std::uint16_t> row_start, column;
-  std::vector<double> value, along_u, along_v, net, columns, determinant;
+  std::vector<double> value, along_u, along_v, columns, determinant;
 };
 
-// The double next to a rational number (to_double may be off by more): the middle of the smallest interval
-// around it is one of its ends, and both are within one step.
+// A double within one step of a rational number: an end of the smallest interval around it.
 double next_to(const Rational& value) { return to_interval(value).sup(); }
 
 std::vector<double> multinomial_doubles(Shape shape) {
@@ -52,8 +51,8 @@ void add_basis_change(OwnedTable& owned, Shape shape) {
   }
 }
 
-// Slack for the operations after the kernel: the product of the bound and the unit (a few roundings), and the sum
-// of a number and its bound (one rounding of at most eps (magnitude + error) units).
+// Slack for the operations after the kernel: the product of the bound and the unit (a few roundings), and the
+// sum of a number and its bound (one rounding of at most eps (magnitude + error) units).
 double with_slack(const StaticBound& bound) {
   using namespace detail;
   const double rounding = product_up(2 * eps, sum_up(bound.magnitude, bound.error));
@@ -118,16 +117,12 @@ OwnedTable build(Shape shape, Basis basis, bool rational) {
   owned.along_u = multinomial_doubles(along_u);
   owned.along_v = multinomial_doubles(along_v);
   owned.determinant = inverse_multinomials(numerator_shape(shape, rational), degree_factor(shape));
-  if (rational) {
-    owned.net = multinomial_doubles(shape);
-    owned.columns = inverse_multinomials({Domain::triangle, 2 * shape.p - 1, 0}, 1);
-  }
+  if (rational) owned.columns = inverse_multinomials({Domain::triangle, 2 * shape.p - 1, 0}, 1);
   table.row_start = owned.row_start.data();
   table.column = owned.column.data();
   table.value = owned.value.data();
   table.along_u = owned.along_u.data();
   table.along_v = owned.along_v.data();
-  table.net = owned.net.data();
   table.columns = owned.columns.data();
   table.determinant = owned.determinant.data();
   if (const auto errors = static_errors_of(table)) {

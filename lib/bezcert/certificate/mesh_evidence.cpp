@@ -37,9 +37,7 @@ class EmbeddingWriter {
 
  private:
   bool have_equal_nodes(EdgeUse a, EdgeUse b) const {
-    if (edges_.basis(a) != edges_.basis(b)) return false;
-    const std::vector<std::uint32_t> nodes_a = edges_.nodes(a), nodes_b = edges_.nodes(b);
-    return nodes_a.size() == nodes_b.size() && std::equal(nodes_a.begin(), nodes_a.end(), nodes_b.rbegin());
+    return edges_.basis(a) == edges_.basis(b) && edges_.nodes(a) == edges_.nodes(b).reversed();
   }
 
   // For edges that are one curve, but not in the same words.

@@ -22,9 +22,12 @@ std::deque<DyadicCurve> edge_curves(const Forms& forms) {
   const RoundingScope scope;
   std::deque<DyadicCurve> curves;
   for (int edge = 0; edge < (forms.element().is_triangle() ? 3 : 4); ++edge) {
-    std::optional<CurveNet<Interval>> interval;
-    if (forms.filter() == Filter::on) interval = edge_net(forms.interval().net, edge);
-    curves.emplace_back(std::move(interval), edge_net(forms.exact().net, edge));
+    if (forms.filter() == Filter::on) {
+      curves.emplace_back(edge_net(forms.interval().net, edge),
+                          [&forms, edge] { return edge_net(forms.exact().net, edge); });
+    } else {
+      curves.emplace_back(std::nullopt, edge_net(forms.exact().net, edge));
+    }
   }
   return curves;
 }

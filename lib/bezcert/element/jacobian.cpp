@@ -103,16 +103,65 @@ Polynomial<T> scaled_numerator(const Net<T>& net) {
   return result;
 }
 
+// Evaluation of the map is homogeneous: parameters are integers over a common denominator, and the
+// denominator's powers cancel or are divided by at the end. Fractions would be reduced at every step.
 struct Point {
-  Rational x, y, w;
+  Integer x, y, w;
 };
 
 Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.w - b.w}; }
-Point mix(const Rational& s, const Point& a, const Rational& t, const Point& b) {
+Point mix(const Integer& s, const Point& a, const Integer& t, const Point& b) {
   return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.w + t * b.w};
 }
-Rational determinant(const Point& a, const Point& b, const Point& c) {
+Integer determinant(const Point& a, const Point& b, const Point& c) {
   return a.x * (b.y * c.w - b.w * c.y) - a.y * (b.x * c.w - b.w * c.x) + a.w * (b.x * c.y - b.y * c.x);
+}
+
+// The numerators of a parameter (two numbers for each direction of the square: of 1 - t and of t), and the
+// denominators: one, or one a direction.
+struct IntegerParameter {
+  std::vector<Integer> numerators;
+  Integer first, second = 1;
+};
+
+Integer numerator_over(const Rational& value, const Integer& common) {
+  return Integer(numerator(value)) * (common / Integer(denominator(value)));
+}
+
+IntegerParameter integer_parameter(const Parameter& parameter) {
+  IntegerParameter result;
+  if (parameter.size() == 3) {
+    result.first = 1;
+    for (const Rational& t : parameter) result.first = lcm(result.first, Integer(denominator(t)));
+    for (const Rational& t : parameter) result.numerators.push_back(numerator_over(t, result.first));
+    return result;
+  }
+  result.first = denominator(parameter[0]);
+  result.second = denominator(parameter[1]);
+  for (const Rational& t : parameter) {
+    result.numerators.push_back(denominator(t) - numerator(t));
+    result.numerators.push_back(numerator(t));
+  }
+  return result;
+}
+
+// de Casteljau with the integer parameter: the value times the denominators to the powers of the degrees.
+Integer homogeneous_value(const Polynomial<Integer>& f, const std::vector<Integer>& t) {
+  if (f.shape.domain == Domain::triangle) return evaluate(f, t);
+  std::vector<Integer> c = f.coefficients;
+  const std::size_t columns = static_cast<std::size_t>(f.shape.p) + 1;
+  const std::size_t rows = static_cast<std::size_t>(f.shape.q) + 1;
+  const auto collapse = [&c](std::size_t first, std::size_t stride, std::size_t count, const Integer& low,
+                             const Integer& high) {
+    for (std::size_t n = count; n > 1; --n) {
+      for (std::size_t i = 0; i + 1 < n; ++i) {
+        c[first + i * stride] = low * c[first + i * stride] + high * c[first + (i + 1) * stride];
+      }
+    }
+  };
+  for (std::size_t r = 0; r < rows; ++r) collapse(r * columns, 1, columns, t[0], t[1]);
+  collapse(0, columns, rows, t[2], t[3]);
+  return c[0];
 }
 
 }  // namespace
@@ -142,44 +191,50 @@ Rational jacobian_determinant(const Element& element, const Parameter& parameter
   if (parameter.size() != (triangle ? 3U : 2U)) {
     throw std::invalid_argument("jacobian_determinant: wrong number of parameters");
   }
+  const IntegerParameter at = integer_parameter(parameter);
+  const std::vector<Integer>& t = at.numerators;
+  Shape shape = net.shape;
+  --shape.p;
+  if (!triangle) --shape.q;
+  // What W = 1 is multiplied by.
+  Integer one = 1;
+  for (int k = 0; k < shape.p; ++k) one *= at.first;
+  for (int k = 0; k < shape.q; ++k) one *= at.second;
   // The sub-nets evaluated at the parameter: the last step of de Casteljau's algorithm.
   const auto sub_point = [&](int row_shift, int column_shift) {
-    Shape shape = net.shape;
-    --shape.p;
-    if (!triangle) --shape.q;
     const auto component = [&](const std::vector<Integer>& from) {
-      Polynomial<Rational> f(shape);
+      Polynomial<Integer> f(shape);
       for (int r = 0; r < row_count(shape); ++r) {
         for (int c = 0; c < column_count(shape, r); ++c) {
-          f.at(r, c) = Rational(from[coefficient_index(net.shape, r + row_shift, c + column_shift)]);
+          f.at(r, c) = from[coefficient_index(net.shape, r + row_shift, c + column_shift)];
         }
       }
-      return evaluate(f, parameter);
+      return homogeneous_value(f, t);
     };
-    return Point{component(net.x), component(net.y), net.rational() ? component(net.w) : Rational(1)};
+    return Point{component(net.x), component(net.y), net.rational() ? component(net.w) : one};
   };
   const Rational scale = exact.scale * exact.scale * Rational(degree_factor(net.shape));
   if (triangle) {
     const Point f0 = sub_point(0, 0);
     const Point f1 = sub_point(0, 1);
     const Point f2 = sub_point(1, 0);
-    const Rational weight = parameter[0] * f0.w + parameter[1] * f1.w + parameter[2] * f2.w;
-    return scale * determinant(f0, f1, f2) / power(weight, 3);
+    // The determinant has the denominator to the 3 (n - 1), the weight to the n.
+    const Integer weight = t[0] * f0.w + t[1] * f1.w + t[2] * f2.w;
+    const Integer cubes = at.first * at.first * at.first * determinant(f0, f1, f2);
+    return scale * Rational(cubes, Integer(weight * weight * weight));
   }
-  const Rational& u = parameter[0];
-  const Rational& v = parameter[1];
-  const Rational u0 = 1 - u;
-  const Rational v0 = 1 - v;
   const Point f00 = sub_point(0, 0);
   const Point f10 = sub_point(0, 1);
   const Point f01 = sub_point(1, 0);
   const Point f11 = sub_point(1, 1);
-  const Point bottom = mix(u0, f00, u, f10);
-  const Point top = mix(u0, f01, u, f11);
-  const Point point = mix(v0, bottom, v, top);
-  const Point along_u = mix(v0, f10 - f00, v, f11 - f01);
+  const Point bottom = mix(t[0], f00, t[1], f10);
+  const Point top = mix(t[0], f01, t[1], f11);
+  // With K the sub-points' factor: the point has K first second, the derivatives K second and K first.
+  const Point point = mix(t[2], bottom, t[3], top);
+  const Point along_u = mix(t[2], f10 - f00, t[3], f11 - f01);
   const Point along_v = top - bottom;
-  return scale * determinant(point, along_u, along_v) / power(point.w, 3);
+  const Integer value = at.first * at.second * determinant(point, along_u, along_v);
+  return scale * Rational(value, Integer(point.w * point.w * point.w));
 }
 
 }  // namespace bezcert
