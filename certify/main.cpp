@@ -54,7 +54,8 @@ struct ReadWords {
 
   ReadOptions options() const {
     return {basis == "lagrange" ? Basis::lagrange : Basis::bernstein,
-            numbers == "binary64" ? Numbers::binary64 : Numbers::decimal};
+            numbers == "binary64" ? Numbers::binary64 : Numbers::decimal,
+            {}};
   }
 };
 
