@@ -2,6 +2,8 @@
 // library and for the verifier, which knows nothing of it.
 #pragma once
 
+#include "refusal.hpp"
+
 #include "algebra/polynomials.hpp"
 #include "bezcert/element/element.hpp"
 #include "bezcert/number/scaled.hpp"
@@ -72,17 +74,7 @@ inline std::string refusal(const Bivariate& f, Domain domain, const std::string&
     other.y.emplace_back(Integer(scaled.values[count + i] * numerator(scaled.scale)).str());
     other.w.emplace_back(1);
   }
-  verifier::begin_line();
-  verifier::Tokens tokens(claim);
-  try {
-    verifier::check_element(other, tokens);
-    tokens.expect_end();
-  } catch (const verifier::Rejected& rejected) {
-    return "rejected: " + rejected.why;
-  } catch (const verifier::Malformed& malformed) {
-    return "malformed: " + malformed.why;
-  }
-  return "";
+  return refusal_of(claim, [&](verifier::Tokens& tokens) { verifier::check_element(other, tokens); });
 }
 
 }  // namespace bezcert::test

@@ -1,6 +1,8 @@
 // Curves for tests of evidence about pairs of edges, and the verifier's word on it.
 #pragma once
 
+#include "refusal.hpp"
+
 #include "bezcert/certificate/meet_evidence.hpp"
 #include "pair_rules.hpp"
 
@@ -47,22 +49,6 @@ inline verifier::Curve as_verifier(const CurveNet<Integer>& net) {
     return result;
   };
   return {copy(net.x), copy(net.y), copy(net.w)};
-}
-
-/// Empty if `check` accepts all of the text, else why not.
-template <class Check>
-std::string refusal_of(const std::string& text, Check check) {
-  verifier::begin_line();
-  try {
-    verifier::Tokens tokens(text);
-    check(tokens);
-    tokens.expect_end();
-  } catch (const verifier::Rejected& rejected) {
-    return "rejected: " + rejected.why;
-  } catch (const verifier::Malformed& malformed) {
-    return "malformed: " + malformed.why;
-  }
-  return "";
 }
 
 inline std::string refusal_of_pair(const std::string& text, const CurveNet<Integer>& a,

@@ -8,6 +8,7 @@
 #include <flint/fmpz_vec.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace bezcert {
 namespace {
@@ -199,6 +200,17 @@ Univariate along(const Bivariate& f, const std::array<Rational, 2>& from, const 
     sum = sum + row * v_powers[k];
   }
   return sum;
+}
+
+int some_sign(const Bivariate& f) {
+  const int steps = f.degree_u() + f.degree_v() + 2;
+  for (int i = 1; i < steps; ++i) {
+    for (int j = 1; j < steps; ++j) {
+      const int s = sign_at(f, Rational(i, 2 * steps), Rational(j, 2 * steps));
+      if (s != 0) return s;
+    }
+  }
+  throw std::logic_error("some_sign: a polynomial that is not 0 vanishes on a grid");
 }
 
 std::vector<std::pair<Bivariate, int>> irreducible_factors(const Bivariate& f) {

@@ -35,6 +35,9 @@ Bivariate swapped(const Bivariate& f);
 /// A positive multiple of f(u, .) at a rational u.
 Univariate at_u(const Bivariate& f, const Rational& u);
 int sign_at(const Bivariate& f, const Rational& u, const Rational& v);
+/// A strict sign that f takes inside the triangle u, v > 0, u + v < 1: on a grid finer than its degrees.
+/// Precondition: f is not 0.
+int some_sign(const Bivariate& f);
 
 /// A positive multiple of t -> f(from + t (to - from)).
 Univariate along(const Bivariate& f, const std::array<Rational, 2>& from, const std::array<Rational, 2>& to);

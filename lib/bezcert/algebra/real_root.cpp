@@ -6,6 +6,7 @@
 #include <algorithm>
 
 namespace bezcert {
+
 // f(lower + (upper-lower) t) = sum a_k t^k, and t = s / (1 + s) turns it into the
 // numerator sum a_k s^k (1+s)^(n-k), whose coefficients are the scaled Bernstein coefficients.
 std::vector<Integer> bernstein_over(const Univariate& f, const Rational& lower, const Rational& upper) {

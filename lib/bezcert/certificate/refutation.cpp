@@ -137,23 +137,13 @@ class Refuter {
   // A crack: edges between the same two vertices, near each other at equal parameters.
   Refutation gap(EdgeUse a, EdgeUse b) {
     if (begin(a) != end(b) || end(a) != begin(b)) return std::nullopt;
-    constexpr int samples = 16;
-    const CurveNet<Integer> net_a = edges_.exact(a), net_b = edges_.exact(b), back = reversed(net_b);
-    std::vector<Point> points;
-    bool is_close[2] = {true, true};
-    const ElementFrame frames[2] = {ElementFrame(edges_, a), ElementFrame(edges_, b)};
-    for (int k = 1; k < samples; ++k) {
-      const Rational t(k, samples);
-      const Point p = point_at(net_a, t), q = point_at(back, t);
-      for (const int i : {0, 1}) is_close[i] = is_close[i] && frames[i].is_small(p, q);
-      points.push_back(p);
-    }
-    if (!is_close[0] && !is_close[1]) return std::nullopt;
+    if (!are_close(edges_, a, b)) return std::nullopt;
+    const CurveNet<Integer> net_a = edges_.exact(a), net_b = edges_.exact(b);
     // The middle first, where the edges are likely to be farthest apart.
     for (const int k : {8, 4, 12, 2, 6, 10, 14, 1, 3, 5, 7, 9, 11, 13, 15}) {
-      if (!is_off(net_b, points[static_cast<std::size_t>(k) - 1])) continue;
-      return "gap " + edge_name(edges_, a) + ' ' + edge_name(edges_, b) + ' ' +
-             to_string(Rational(k, samples));
+      const Rational t(k, 16);
+      if (!is_off(net_b, point_at(net_a, t))) continue;
+      return "gap " + edge_name(edges_, a) + ' ' + edge_name(edges_, b) + ' ' + to_string(t);
     }
     return std::nullopt;
   }
@@ -165,16 +155,10 @@ class Refuter {
     if (edges_.element(b) == edges_.element(a) || edges_.element(c) == edges_.element(a)) return std::nullopt;
     const CurveNet<Integer> net_a = edges_.exact(a), net_b = edges_.exact(b), net_c = edges_.exact(c);
     const ElementFrame frame(edges_, a);
-    const auto is_near = [&](const Point& point) {
-      constexpr int samples = 32;
-      for (int k = 0; k <= samples; ++k) {
-        if (frame.is_small(point_at(net_a, Rational(k, samples)), point)) return true;
-      }
-      return false;
-    };
+    const auto is_beside = [&](const Point& point) { return is_near(frame, net_a, point); };
     const Point node = point_at(net_c, 0);
     const Rational half(1, 2);
-    if (!is_near(node) || !is_near(point_at(net_b, half)) || !is_near(point_at(net_c, half)) ||
+    if (!is_beside(node) || !is_beside(point_at(net_b, half)) || !is_beside(point_at(net_c, half)) ||
         !is_off(net_a, node)) {
       return std::nullopt;
     }

@@ -1,5 +1,6 @@
 #include "bezcert/certificate/separating_resultant.hpp"
 
+#include "bezcert/algebra/real_root.hpp"
 #include "bezcert/curve/contact_algebra.hpp"
 #include "bezcert/curve/same_curve.hpp"
 
@@ -18,21 +19,12 @@ Univariate formal_resultant(const Bivariate& f, const Bivariate& g) {
   return result;
 }
 
-// f = sum a_k s^k with s = z / (1 + z): the coefficients of the numerator are the Bernstein coefficients on
-// [0, 1] times binomials.
+// Of the Bernstein coefficients on [0, 1].
 bool has_one_strict_sign(const Univariate& f) {
-  const int n = f.degree();
-  std::vector<Integer> scaled(f.coefficients.size(), 0);
-  for (int k = 0; k <= n; ++k) {
-    Integer choices = 1;  // C(n - k, j - k)
-    for (int j = k; j <= n; ++j) {
-      scaled[static_cast<std::size_t>(j)] += f.coefficients[static_cast<std::size_t>(k)] * choices;
-      choices = choices * (n - j) / (j - k + 1);
-    }
-  }
-  const int first = scaled[0].sign();
+  const std::vector<Integer> values = bernstein_over(f, 0, 1);
+  const int first = values[0].sign();
   return first != 0 &&
-         std::all_of(scaled.begin(), scaled.end(), [&](const Integer& c) { return c.sign() == first; });
+         std::all_of(values.begin(), values.end(), [&](const Integer& c) { return c.sign() == first; });
 }
 
 }  // namespace

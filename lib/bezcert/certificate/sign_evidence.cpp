@@ -22,18 +22,6 @@ std::optional<std::string> irreducible_evidence(const Bivariate& h, Domain domai
   return column_evidence(h, domain, wanted);
 }
 
-// The sign of h at a place where it is not 0: h has one sign on the domain.
-int sign_somewhere(const Bivariate& h) {
-  const int steps = h.degree_u() + h.degree_v() + 2;
-  for (int i = 1; i < steps; ++i) {
-    for (int j = 1; j < steps; ++j) {
-      const int s = sign_at(h, Rational(i, 2 * steps), Rational(j, 2 * steps));
-      if (s != 0) return s;
-    }
-  }
-  throw std::logic_error("sign_evidence: a polynomial that is not 0 vanishes on a grid");
-}
-
 Bivariate negated(const Bivariate& f) { return Bivariate() - f; }
 
 std::optional<std::string> algebraic_evidence(const Polynomial<Integer>& n, int direction,
@@ -54,7 +42,7 @@ std::optional<std::string> algebraic_evidence(const Polynomial<Integer>& n, int 
       text += "none";
       continue;
     }
-    const int s = sign_somewhere(factor);
+    const int s = some_sign(factor);  // it has one sign on the domain
     const auto proof = irreducible_evidence(s > 0 ? factor : negated(factor), domain, wanted);
     if (!proof) return std::nullopt;
     text += (s > 0 ? "+ " : "- ") + *proof;

@@ -147,15 +147,7 @@ constexpr std::size_t pieces_before_algebra = 512;
 int some_sign(const SignSearch& search, const Polynomial<Integer>& n) {
   if (search.negative()) return -1;
   if (search.positive()) return 1;
-  const Bivariate powers = to_power_basis(n);
-  const int steps = powers.degree_u() + powers.degree_v() + 2;
-  for (int i = 1; i < steps; ++i) {
-    for (int j = 1; i + j < 2 * steps; ++j) {
-      const int s = sign_at(powers, Rational(i, 2 * steps), Rational(j, 2 * steps));
-      if (s != 0) return s;
-    }
-  }
-  throw std::logic_error("decide: a polynomial that is not 0 vanishes on a grid");
+  return some_sign(to_power_basis(n));
 }
 
 // What subdivision left open, or the dimension of the zero set where it did not.

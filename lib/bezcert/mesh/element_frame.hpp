@@ -23,4 +23,11 @@ class ElementFrame {
   Rational area_ = 0;  // cross(along, across)
 };
 
+/// Whether two uses between the same two vertices, in opposite directions, are close to each other at equal
+/// parameters (15 of them), in the frame of one of them.
+bool are_close(const MeshEdges& edges, EdgeUse a, EdgeUse b);
+
+/// Whether a point is close to one of 33 points of an edge.
+bool is_near(const ElementFrame& frame, const CurveNet<Integer>& edge, const Point& point);
+
 }  // namespace bezcert

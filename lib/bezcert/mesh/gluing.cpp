@@ -135,17 +135,7 @@ class Gluer {
   // Two different curves between the same two vertices, with an element on each side: a common edge that went
   // wrong where they are one shape or close to each other, as seen from one of the elements; else boundary.
   bool is_crack(const Use& a, const Use& b) const {
-    const CurveNet<Integer> curve_a = forward_curve(a), curve_b = forward_curve(b);
-    const ElementFrame frame_a(edges_, a.use), frame_b(edges_, b.use);
-    bool small_a = true, small_b = true;
-    constexpr int samples = 16;
-    for (int i = 1; i < samples && (small_a || small_b); ++i) {
-      const Rational t(i, samples);
-      const Point p = point_at(curve_a, t), q = point_at(curve_b, t);
-      small_a = small_a && frame_a.is_small(p, q);
-      small_b = small_b && frame_b.is_small(p, q);
-    }
-    return small_a || small_b || have_same_image(curve_a, curve_b);
+    return are_close(edges_, a.use, b.use) || have_same_image(forward_curve(a), forward_curve(b));
   }
 
   CurveNet<Integer> forward_curve(const Use& use) const {

@@ -100,20 +100,14 @@ class Search {
   // Two edges back with a node near `use`.
   std::vector<EdgeUse> near_chain(EdgeUse use, const CurveNet<Integer>& net) const {
     const ElementFrame frame(edges_, use);
-    const auto is_near = [&](const Point& point) {
-      constexpr int samples = 32;
-      for (int i = 0; i <= samples; ++i) {
-        if (frame.is_small(point, point_at(net, Rational(i, samples)))) return true;
-      }
-      return false;
-    };
+    const auto is_beside = [&](const Point& point) { return is_near(frame, net, point); };
     for (const EdgeUse first : leaving(end(use))) {
       if (end(first) == gluing_.begin[use] || edges_.element(first) == edges_.element(use)) continue;
       for (const EdgeUse second : leaving(end(first))) {
         if (end(second) != gluing_.begin[use] || edges_.element(second) == edges_.element(use)) continue;
         // Not the node alone: the short edges run beside the long one.
-        if (is_near(edges_.point(end(first))) && is_near(point_at(edges_.exact(first), Rational(1, 2))) &&
-            is_near(point_at(edges_.exact(second), Rational(1, 2)))) {
+        if (is_beside(edges_.point(end(first))) && is_beside(point_at(edges_.exact(first), Rational(1, 2))) &&
+            is_beside(point_at(edges_.exact(second), Rational(1, 2)))) {
           return {first, second};
         }
       }
