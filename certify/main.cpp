@@ -54,8 +54,7 @@ struct ReadWords {
 
   ReadOptions options() const {
     return {basis == "lagrange" ? Basis::lagrange : Basis::bernstein,
-            numbers == "binary64" ? Numbers::binary64 : Numbers::decimal,
-            {}};
+            numbers == "binary64" ? Numbers::binary64 : Numbers::decimal};
   }
 };
 

@@ -8,6 +8,8 @@
 namespace bezcert::certify {
 namespace {
 
+using namespace std::string_view_literals;  // lengths known to the compiler
+
 Json witness_object(const Witness& witness) {
   Json parameter = Json::array();
   for (const Rational& value : witness.parameter) parameter.push_back(to_string(value));
@@ -61,34 +63,34 @@ class JsonLinesReport : public Report {
     const MeshElement& entry = mesh.elements[index];
     const Decision& decision = checked.decision;
     const bool triangle = entry.shape.domain == Domain::triangle;
-    text += "{\"element\":";
+    text += "{\"element\":"sv;
     add(entry.tag, text);
-    text += ",\"line\":";
+    text += ",\"line\":"sv;
     if (entry.line > 0) {
       add(entry.line, text);
     } else {
-      text += "null";
+      text += "null"sv;
     }
     if (index < mesh.names.size() && !mesh.names[index].empty()) add("name", mesh.names[index], text);
-    text += triangle ? ",\"kind\":\"triangle\",\"degree\":" : ",\"kind\":\"quadrilateral\",\"degree\":[";
+    text += triangle ? ",\"kind\":\"triangle\",\"degree\":"sv : ",\"kind\":\"quadrilateral\",\"degree\":["sv;
     add(static_cast<std::uint64_t>(entry.shape.p), text);
     if (!triangle) {
       text += ',';
       add(static_cast<std::uint64_t>(entry.shape.q), text);
       text += ']';
     }
-    text += mesh.rational(index) ? ",\"rational\":true" : ",\"rational\":false";
-    text += ",\"verdict\":\"";
+    text += mesh.rational(index) ? ",\"rational\":true"sv : ",\"rational\":false"sv;
+    text += ",\"verdict\":\""sv;
     text += name(decision.verdict);
-    text += "\",\"min_det\":{\"lower\":\"";
+    text += "\",\"min_det\":{\"lower\":\""sv;
     append(decision.bounds.min_lower, text);
-    text += "\",\"upper\":\"";
+    text += "\",\"upper\":\""sv;
     append(decision.bounds.min_upper, text);
-    text += "\"}";
+    text += "\"}"sv;
     if (decision.witness) {
       add("witness", witness_object(*decision.witness), text);
     } else {
-      text += ",\"witness\":null";
+      text += ",\"witness\":null"sv;
     }
     if (decision.zero) add("zero", zero_object(*decision.zero), text);
     if (decision.overlap) {
@@ -96,17 +98,17 @@ class JsonLinesReport : public Report {
           Json::array({range_object(decision.overlap->first), range_object(decision.overlap->second)}), text);
     }
     if (!decision.open.empty()) add("open", decision.open, text);
-    text += ",\"criteria\":{";
+    text += ",\"criteria\":{"sv;
     for (std::size_t i = 0; i < checked.criteria.size(); ++i) {
-      text += i > 0 ? ",\"" : "\"";
+      text += i > 0 ? ",\""sv : "\""sv;
       text += checked.criteria[i].criterion->name;
-      text += "\":\"";
+      text += "\":\""sv;
       text += name(checked.criteria[i].verdict.status);
       text += '"';
     }
-    text += "},\"agreement\":\"";
+    text += "},\"agreement\":\""sv;
     text += name(checked.agreement);
-    text += "\"}\n";
+    text += "\"}\n"sv;
   }
 
   void end(const Mesh& mesh, const Summary& summary) override {

@@ -72,6 +72,28 @@ case("vertex-wound-twice-p2", FOLDED, "the same, quadratic with curved edges",
 case("vertex-wound-twice-conic", FOLDED, "the same with conic edges", around(TWICE, True, 2, {0: (1, Q(1, 5)), 5: (Q(-1, 5), 1)}, [3]))
 case("vertex-wound-twice-q2", FOLDED, "eight biquadratic quadrilaterals wind twice around node 0",
      around_quads(TWICE, [(x + z, y + w) for (x, y), (z, w) in zip(TWICE, TWICE[1:] + TWICE[:1])], True))
+
+
+def joukowski(degree=1):
+    """w = z + 1/z on the ring 3/5 <= |z| <= 8/5: critical at z = 1 and -1, both boundary loops simple and counter-clockwise."""
+    m = Mesh()
+    rings = []
+    for r in (Q(3, 5), Q(1), Q(8, 5)):
+        rings.append([m.node((r + 1 / r) * x, (r - 1 / r) * y) for x, y in COMPASS])
+    for inner, outer in zip(rings, rings[1:]):
+        for k in range(8):
+            a, b, c, d = inner[k], outer[k], outer[(k + 1) % 8], inner[(k + 1) % 8]
+            whole = (m.points[a], m.points[b], m.points[c], m.points[d])
+            area = lambda i, j, l: ((whole[j][0] - whole[i][0]) * (whole[l][1] - whole[i][1])
+                                    - (whole[j][1] - whole[i][1]) * (whole[l][0] - whole[i][0]))
+            first = min(area(0, 1, 2), area(0, 2, 3)) > 0
+            for t in ((a, b, c), (a, c, d)) if first else ((a, b, d), (b, c, d)):
+                m.triangle(*t, degree)
+    return m
+
+
+case("vertex-two-branch-points", FOLDED, "a ring, twice around two inner nodes; the boundary is two simple, disjoint loops", joukowski())
+case("vertex-two-branch-points-p2", FOLDED, "the same, quadratic", joukowski(2))
 case("vertex-boundary-over", FOLDED, "five triangles of a right angle each around the boundary node 0", around(TWICE[:6]))
 case("vertex-boundary-just-over", FOLDED, "around the boundary node 0 the angles sum to one turn and about 1e-12",
      around([(2, 0), (0, 2), (-2, 0), (0, -2), (3, TINY)]))

@@ -18,7 +18,7 @@ struct ReadOptions {
   /// What text coordinates mean in a format that does not say it itself (.msh).
   Numbers numbers = Numbers::binary64;
   /// Threads that may help; the mesh, and what is refused, do not depend on it. Empty: none.
-  Parallel parallel;
+  Parallel parallel = {};
 };
 
 /// Reads a mesh from the bytes of a file; the format is told by the first characters. `file` names it in

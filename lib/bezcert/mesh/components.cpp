@@ -12,27 +12,32 @@ namespace {
 class ComponentCheck {
  public:
   ComponentCheck(const MeshEdges& edges, const Gluing& gluing, const Components& components,
-                 const std::vector<BoundaryLoop>& loops, ObstacleList& obstacles)
-      : edges_(edges), gluing_(gluing), components_(components), loops_(loops), obstacles_(obstacles) {
+                 const std::vector<BoundaryLoop>& loops, const LoopFacts& facts, ObstacleList& obstacles)
+      : edges_(edges),
+        gluing_(gluing),
+        components_(components),
+        loops_(loops),
+        facts_(facts),
+        obstacles_(obstacles) {
     loops_of_.resize(components.count);
     for (std::size_t i = 0; i < loops.size(); ++i) loops_of_[loops[i].component].push_back(i);
   }
 
-  AreaBounds run(const CornersByVertex& corners) {
+  AreaBounds run() {
     AreaBounds result;
     outer_.assign(components_.count, 0);
     std::vector<std::size_t> outer_loops(components_.count, 0);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
-      const LoopArea area = loop_area(edges_, loops_[i]);
+      const LoopArea& area = facts_.areas[i];
       result.lower += area.bounds.lower;
       result.upper += area.bounds.upper;
       if (area.orientation < 0) continue;
       ++outer_loops[loops_[i].component];
       outer_[loops_[i].component] = i;
     }
-    const std::vector<long> characteristics = euler_characteristics(edges_, gluing_, corners, components_);
     for (std::uint32_t component = 0; component < components_.count; ++component) {
-      const auto genus_0 = characteristics[component] == 2 - static_cast<long>(loops_of_[component].size());
+      const auto genus_0 =
+          facts_.characteristics[component] == 2 - static_cast<long>(loops_of_[component].size());
       if (outer_loops[component] == 1 && genus_0) continue;
       throw std::logic_error("component " + std::to_string(component + 1) + " of the mesh has " +
                              std::to_string(outer_loops[component]) +
@@ -119,6 +124,7 @@ class ComponentCheck {
   const Gluing& gluing_;
   const Components& components_;
   const std::vector<BoundaryLoop>& loops_;
+  const LoopFacts& facts_;
   ObstacleList& obstacles_;
   std::vector<std::vector<std::size_t>> loops_of_;
   std::vector<Box> loop_boxes_;
@@ -128,10 +134,24 @@ class ComponentCheck {
 
 }  // namespace
 
-AreaBounds check_components(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                            const Components& components, const std::vector<BoundaryLoop>& loops,
+long LoopFacts::extra_turns() const {
+  long result = 0;
+  for (const LoopArea& area : areas) result += area.orientation;
+  for (const long characteristic : characteristics) result -= characteristic;
+  return result;
+}
+
+LoopFacts measure_loops(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                        const Components& components, const std::vector<BoundaryLoop>& loops) {
+  LoopFacts facts{{}, euler_characteristics(edges, gluing, corners, components)};
+  for (const BoundaryLoop& loop : loops) facts.areas.push_back(loop_area(edges, loop));
+  return facts;
+}
+
+AreaBounds check_components(const MeshEdges& edges, const Gluing& gluing, const Components& components,
+                            const std::vector<BoundaryLoop>& loops, const LoopFacts& facts,
                             ObstacleList& obstacles) {
-  return ComponentCheck(edges, gluing, components, loops, obstacles).run(corners);
+  return ComponentCheck(edges, gluing, components, loops, facts, obstacles).run();
 }
 
 }  // namespace bezcert

@@ -63,17 +63,26 @@ MeshResult examine_mesh(MeshTopology&& topology, std::span<const ElementState> s
                 obstacles);
   list_elements(mesh, states, ElementState::open, MeshVerdict::undecided, "not decided", obstacles);
   if (all_injective) {
-    check_turns(edges, gluing, corners, fans, obstacles);
+    check_open_fans(edges, gluing, corners, fans, obstacles);
     check_boundary(edges, gluing, fans, options.contact, obstacles);
   }
+  std::vector<BoundaryLoop> loops;
   if (std::find(fans.bad.begin(), fans.bad.end(), true) == fans.bad.end()) {
-    const std::vector<BoundaryLoop> loops = find_loops(edges, gluing, fans, components);
+    loops = find_loops(edges, gluing, fans, components);
     result.loops = loops.size();
     result.holes = loops.size() - std::min(loops.size(), components.count);
-    if (obstacles.empty() && !options.element) {
-      const AreaBounds area = check_components(edges, gluing, corners, components, loops, obstacles);
-      if (obstacles.empty()) result.area = area;
-    }
+  }
+  std::optional<LoopFacts> facts;
+  if (obstacles.empty() && !options.element) {
+    facts = measure_loops(edges, gluing, corners, components, loops);
+  }
+  // Loops that are simple and disjoint tell whether all turns inside are one; else each is looked at.
+  if (all_injective && !(facts && facts->extra_turns() == 0)) {
+    check_closed_fans(edges, gluing, corners, fans, obstacles);
+  }
+  if (facts && obstacles.empty()) {
+    const AreaBounds area = check_components(edges, gluing, components, loops, *facts, obstacles);
+    if (obstacles.empty()) result.area = area;
   }
   result.verdict = obstacles.verdict();
   result.surface = std::make_shared<MeshSurface>(

@@ -132,6 +132,14 @@ MeshObstacle vertex_obstacle(const MeshEdges& edges, MeshVerdict kind, std::uint
   return result;
 }
 
+void add_folded(const MeshEdges& edges, std::uint32_t vertex, const Fan& fan, const std::string& what,
+                ObstacleList& obstacles) {
+  MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::folded_vertex, vertex, fan.corners);
+  obstacle.message += what + node_text(edges, vertex);
+  obstacle.hint = "the elements are fine one by one, but lie on each other around that node";
+  obstacles.add(std::move(obstacle));
+}
+
 std::vector<EdgeUse> corners_at(const CornersByVertex& corners, std::uint32_t vertex) {
   return {corners.corners.begin() + corners.start[vertex],
           corners.corners.begin() + corners.start[vertex + 1]};
@@ -243,24 +251,11 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
   return result;
 }
 
-void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                 const Fans& fans, ObstacleList& obstacles) {
+void check_open_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                     const Fans& fans, ObstacleList& obstacles) {
   const TurnCounter counter(edges);
-  const std::vector<std::uint32_t> turns = counter.turns(gluing);
-  const auto folded = [&](std::uint32_t vertex, const Fan& fan, const std::string& what) {
-    MeshObstacle obstacle = vertex_obstacle(edges, MeshVerdict::folded_vertex, vertex, fan.corners);
-    obstacle.message += what + node_text(edges, vertex);
-    obstacle.hint = "the elements are fine one by one, but lie on each other around that node";
-    obstacles.add(std::move(obstacle));
-  };
   for (std::uint32_t vertex = 0; vertex < fans.bad.size(); ++vertex) {
-    if (corners.start[vertex] == corners.start[vertex + 1] || fans.bad[vertex]) continue;
-    if (!fans.open[vertex]) {
-      if (turns[vertex] == 1) continue;
-      folded(vertex, fans_of(edges, gluing, corners, vertex).front(),
-             " wind " + std::to_string(turns[vertex]) + " times around ");
-      continue;
-    }
+    if (!fans.open[vertex] || fans.bad[vertex]) continue;
     const Fan fan = fans_of(edges, gluing, corners, vertex).front();
     const int more = counter.compare_with_turn(fan);
     if (more == 0) {
@@ -268,9 +263,22 @@ void check_turns(const MeshEdges& edges, const Gluing& gluing, const CornersByVe
       // along each other the boundary is not simple: another obstacle.)
       const EdgeUse leaving = fan.corners.front(), arriving = edges.previous(fan.corners.back());
       if (compare_branches(edges.exact(leaving), reversed(edges.exact(arriving))) <= 0) continue;
-      folded(vertex, fan, " make one full turn and cover a sliver twice at the boundary vertex ");
+      add_folded(edges, vertex, fan, " make one full turn and cover a sliver twice at the boundary vertex ",
+                 obstacles);
     }
-    if (more > 0) folded(vertex, fan, " make more than one full turn around the boundary vertex ");
+    if (more > 0)
+      add_folded(edges, vertex, fan, " make more than one full turn around the boundary vertex ", obstacles);
+  }
+}
+
+void check_closed_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                       const Fans& fans, ObstacleList& obstacles) {
+  const std::vector<std::uint32_t> turns = TurnCounter(edges).turns(gluing);
+  for (std::uint32_t vertex = 0; vertex < fans.bad.size(); ++vertex) {
+    if (corners.start[vertex] == corners.start[vertex + 1] || fans.bad[vertex] || fans.open[vertex]) continue;
+    if (turns[vertex] == 1) continue;
+    add_folded(edges, vertex, fans_of(edges, gluing, corners, vertex).front(),
+               " wind " + std::to_string(turns[vertex]) + " times around ", obstacles);
   }
 }
 
