@@ -25,7 +25,7 @@ std::string without_seconds(const std::string& report) {
 
 }  // namespace
 
-TEST_CASE("--exact changes no byte of a report on the corpus") {
+TEST_CASE("the switch --exact changes no byte of a report on the corpus") {
   const Folder folder;
   std::size_t files = 0;
   for (const std::string& corpus : {elements_folder, meshes_folder}) {
@@ -43,7 +43,7 @@ TEST_CASE("--exact changes no byte of a report on the corpus") {
   CHECK(files > 200);
 }
 
-TEST_CASE("--exact is not listed") {
+TEST_CASE("the switch --exact is not listed") {
   const Folder folder;
   CHECK(folder.run({"check", "--help"}).out.find("--exact") == std::string::npos);
 }

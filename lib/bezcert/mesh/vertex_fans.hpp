@@ -35,8 +35,8 @@ std::vector<Fan> fans_of(const MeshEdges& edges, const Gluing& gluing, const Cor
 Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
                ObstacleList& obstacles);
 
-/// Adds a folded_vertex obstacle for every manifold vertex of the boundary with more than one turn. It may have
-/// exactly one (a cusp) if its two boundary edges leave a sliver out between them, not if the sliver is
+/// Adds a folded_vertex obstacle for every manifold vertex of the boundary with more than one turn. It may
+/// have exactly one (a cusp) if its two boundary edges leave a sliver out between them, not if the sliver is
 /// covered twice. Precondition: all elements are regular.
 void check_open_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
                      const Fans& fans, ObstacleList& obstacles);
