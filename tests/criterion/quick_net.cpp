@@ -92,15 +92,12 @@ std::vector<Rational> control_points(const Triangle& t, const std::vector<double
   return result;
 }
 
-}  // namespace
-
-TEST_CASE("signs of the quick net are exact") {
-  const std::uint64_t seed = seed_or(501);
+void attack_signs(std::uint64_t seed, int triangles) {
   Random random(seed);
   std::map<int, int> turns, forwards;
   int used = 0, near = 0;
   QuickNet net;
-  for (int i = 0; i < 8000; ++i) {
+  for (int i = 0; i < triangles; ++i) {
     const Triangle t = random_triangle(random, 6);
     if (!net.load(t.shape, t.basis, t.x, t.y, t.nodes)) continue;
     ++used;
@@ -123,12 +120,21 @@ TEST_CASE("signs of the quick net are exact") {
     }
   }
   INFO("seed " << seed << ": used " << used << ", near " << near);
-  CHECK(used > 7000);
+  CHECK(used > triangles / 8 * 7);
   for (const int sign : {-1, 0, 1}) {
-    CHECK(turns[sign] > 5000);
-    CHECK(forwards[sign] > 5000);
+    CHECK(turns[sign] > triangles / 2);
+    CHECK(forwards[sign] > triangles / 2);
   }
-  CHECK(near > 1000);
+  CHECK(near > triangles / 8);
+}
+
+}  // namespace
+
+// 25 signs of each kind a triangle.
+TEST_CASE("signs of the quick net are exact: 200,000 cases") { attack_signs(seed_or(501), 9000); }
+
+TEST_CASE("signs of the quick net are exact: 10 million cases", "[.nightly]") {
+  attack_signs(seed_or(503), 450000);
 }
 
 TEST_CASE("a quick status is the status of the check") {

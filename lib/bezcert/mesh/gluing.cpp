@@ -48,7 +48,7 @@ std::vector<std::uint32_t> begin_vertices(const MeshEdges& edges) {
 
 // One use in a group, with its direction: forward leads from the smaller to the larger vertex.
 struct Use {
-  std::uint32_t other = 0;  // the larger vertex
+  std::uint32_t smaller = 0, larger = 0;  // vertices
   EdgeUse use = 0;
   bool forward = true;
 };
@@ -69,37 +69,52 @@ class Gluer {
     std::vector<Use> uses(edges_.count());
     for (EdgeUse use = 0; use < edges_.count(); ++use) {
       const std::uint32_t a = gluing_.begin[use], b = gluing_.end(edges_, use);
-      uses[start[std::min(a, b) + 1]++] = {std::max(a, b), use, a < b};
+      uses[start[std::min(a, b) + 1]++] = {std::min(a, b), std::max(a, b), use, a < b};
     }
     for (std::size_t bucket = 0; bucket + 1 < start.size(); ++bucket) {
-      const auto begin = uses.begin() + start[bucket], end = uses.begin() + start[bucket + 1];
-      std::sort(begin, end, [](const Use& a, const Use& b) {
-        return std::tie(a.other, a.use) < std::tie(b.other, b.use);
-      });
-      for (auto first = begin; first != end;) {
-        auto last = first;
-        while (last != end && last->other == first->other) ++last;
-        if (last - first == 2 && glue_plainly(first[0], first[1])) {
-          // Nearly always: nothing more to do.
-        } else if (last - first > 1) {
-          group({first, last});
-        }
-        first = last;
-      }
+      std::sort(
+          uses.begin() + start[bucket], uses.begin() + start[bucket + 1],
+          [](const Use& a, const Use& b) { return std::tie(a.larger, a.use) < std::tie(b.larger, b.use); });
     }
+    for_groups(uses, [&](const Use* first, const Use* last) {
+      if (last - first == 2 && first[0].forward != first[1].forward) pair(first[0].use, first[1].use);
+    });
+    keep_plain_pairs();
+    for_groups(uses, [&](const Use* first, const Use* last) {
+      if (last - first > 1 && gluing_.twin[first->use] == no_edge) group({first, last});
+    });
     return std::move(gluing_);
   }
 
  private:
   std::uint32_t smaller(EdgeUse use) const { return std::min(gluing_.begin[use], gluing_.end(edges_, use)); }
 
-  // Two uses in opposite directions through the same nodes: the shortest way of `group`.
-  bool glue_plainly(const Use& a, const Use& b) {
-    if (a.forward == b.forward || edges_.basis(a.use) != edges_.basis(b.use)) return false;
-    if (!(edges_.nodes(a.use) == edges_.nodes(b.use).reversed())) return false;
-    gluing_.twin[a.use] = b.use;
-    gluing_.twin[b.use] = a.use;
-    return true;
+  // Calls each(first, last) for the uses of every pair of vertices.
+  template <class Each>
+  static void for_groups(const std::vector<Use>& uses, Each each) {
+    const Use* const end = uses.data() + uses.size();
+    for (const Use* first = uses.data(); first != end;) {
+      const Use* last = first + 1;
+      while (last != end && last->smaller == first->smaller && last->larger == first->larger) ++last;
+      each(first, last);
+      first = last;
+    }
+  }
+
+  void pair(EdgeUse a, EdgeUse b) {
+    gluing_.twin[a] = b;
+    gluing_.twin[b] = a;
+  }
+
+  // Pairs stay if both run through the same nodes, the ordinary case. Asked in the order of the elements: by
+  // vertices most of the time is waiting for memory.
+  void keep_plain_pairs() {
+    for (EdgeUse a = 0; a < edges_.count(); ++a) {
+      const EdgeUse b = gluing_.twin[a];
+      if (b == no_edge || b < a) continue;
+      if (edges_.basis(a) == edges_.basis(b) && edges_.nodes(a) == edges_.nodes(b).reversed()) continue;
+      gluing_.twin[a] = gluing_.twin[b] = no_edge;
+    }
   }
 
   // All uses between two vertices.
@@ -121,8 +136,7 @@ class Gluer {
       if (one.size() == 1) {
         single.push_back(one.front());
       } else if (one.size() == 2 && one[0].forward != one[1].forward) {
-        gluing_.twin[one[0].use] = one[1].use;
-        gluing_.twin[one[1].use] = one[0].use;
+        pair(one[0].use, one[1].use);
       } else {
         not_manifold(one);
       }
@@ -161,7 +175,7 @@ class Gluer {
       result.elements.push_back(edges_.element(use.use));
       name_edge(edges_, use.use, result);
     }
-    const std::uint32_t a = smaller(uses[0].use), b = uses[0].other;
+    const std::uint32_t a = uses[0].smaller, b = uses[0].larger;
     name_nodes(edges_, {a, b}, result);
     result.message = elements_text(edges_.mesh(), result.elements);
     if (uses.size() > named) result.message += " (" + std::to_string(uses.size()) + " in all)";
