@@ -91,9 +91,11 @@ struct Input {
 };
 
 Input read_input(const std::string& input, const ReadOptions& options, Workers& workers) {
-  const std::string bytes = read_file(input);
+  const FileBytes file(input);
+  const std::string_view bytes = file.view();
   Input result;
-  result.is_json = bytes.find('{') == bytes.find_first_not_of(" \t\r\n");
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  result.is_json = begin != bytes.npos && bytes[begin] == '{';
   ReadOptions with_threads = options;
   if (workers.jobs() > 1) {
     with_threads.parallel = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -102,6 +104,7 @@ Input read_input(const std::string& input, const ReadOptions& options, Workers& 
   }
   workers.both([&] { result.mesh = read_mesh(input, bytes, with_threads); },
                [&] { result.sha256 = sha256(bytes); });
+  file.check_unchanged();
   return result;
 }
 

@@ -2,7 +2,9 @@
 #include "mesh_json.hpp"
 #include "report.hpp"
 
+#include <array>
 #include <charconv>
+#include <cstring>
 #include <ostream>
 
 namespace bezcert::certify {
@@ -44,6 +46,55 @@ Json zero_object(const AlgebraicZero& zero) {
 std::string text_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 std::string line_of(const Json& object) { return text_of(object) + '\n'; }
 
+// Appends to a text: what is short goes through a buffer, which takes a few instructions a word.
+class Writer {
+ public:
+  explicit Writer(std::string& text) : text_(text) {}
+  ~Writer() { flush(); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  // Inlined, so that words of known length are a few moves.
+  [[gnu::always_inline]] Writer& operator<<(std::string_view word) {
+    if (word.size() > room()) flush();
+    if (word.size() > buffer_.size()) {
+      text_ += word;
+    } else {
+      std::memcpy(at_, word.data(), word.size());
+      at_ += word.size();
+    }
+    return *this;
+  }
+  Writer& operator<<(std::uint64_t number) {
+    if (longest > room()) flush();
+    at_ = std::to_chars(at_, at_ + longest, number).ptr;
+    return *this;
+  }
+  Writer& operator<<(const Dyadic& number) {
+    if (longest > room()) flush();
+    char* const end = write_short(number, at_);
+    if (end == nullptr) return *this << std::string_view(to_string(to_rational(number)));
+    at_ = end;
+    return *this;
+  }
+  void field(std::string_view key, const Json& value) {
+    *this << ",\""sv << key << "\":"sv << std::string_view(text_of(value));
+  }
+
+ private:
+  static constexpr std::size_t longest = 40;  // of a number
+
+  std::size_t room() const { return static_cast<std::size_t>(buffer_.data() + buffer_.size() - at_); }
+  void flush() {
+    text_.append(buffer_.data(), at_);
+    at_ = buffer_.data();
+  }
+
+  std::string& text_;
+  std::array<char, 512> buffer_;
+  char* at_ = buffer_.data();
+};
+
 class JsonLinesReport : public Report {
  public:
   using Report::Report;
@@ -63,52 +114,33 @@ class JsonLinesReport : public Report {
     const MeshElement& entry = mesh.elements[index];
     const Decision& decision = checked.decision;
     const bool triangle = entry.shape.domain == Domain::triangle;
-    text += "{\"element\":"sv;
-    add(entry.tag, text);
-    text += ",\"line\":"sv;
-    if (entry.line > 0) {
-      add(entry.line, text);
-    } else {
-      text += "null"sv;
-    }
-    if (index < mesh.names.size() && !mesh.names[index].empty()) add("name", mesh.names[index], text);
-    text += triangle ? ",\"kind\":\"triangle\",\"degree\":"sv : ",\"kind\":\"quadrilateral\",\"degree\":["sv;
-    add(static_cast<std::uint64_t>(entry.shape.p), text);
-    if (!triangle) {
-      text += ',';
-      add(static_cast<std::uint64_t>(entry.shape.q), text);
-      text += ']';
-    }
-    text += mesh.rational(index) ? ",\"rational\":true"sv : ",\"rational\":false"sv;
-    text += ",\"verdict\":\""sv;
-    text += name(decision.verdict);
-    text += "\",\"min_det\":{\"lower\":\""sv;
-    append(decision.bounds.min_lower, text);
-    text += "\",\"upper\":\""sv;
-    append(decision.bounds.min_upper, text);
-    text += "\"}"sv;
+    Writer to(text);
+    to << "{\"element\":"sv << entry.tag << ",\"line\":"sv;
+    entry.line > 0 ? to << entry.line : to << "null"sv;
+    if (index < mesh.names.size() && !mesh.names[index].empty()) to.field("name", mesh.names[index]);
+    to << (triangle ? ",\"kind\":\"triangle\",\"degree\":"sv : ",\"kind\":\"quadrilateral\",\"degree\":["sv)
+       << static_cast<std::uint64_t>(entry.shape.p);
+    if (!triangle) to << ","sv << static_cast<std::uint64_t>(entry.shape.q) << "]"sv;
+    to << (mesh.rational(index) ? ",\"rational\":true"sv : ",\"rational\":false"sv) << ",\"verdict\":\""sv
+       << name(decision.verdict) << "\",\"min_det\":{\"lower\":\""sv << decision.bounds.min_lower
+       << "\",\"upper\":\""sv << decision.bounds.min_upper << "\"}"sv;
     if (decision.witness) {
-      add("witness", witness_object(*decision.witness), text);
+      to.field("witness", witness_object(*decision.witness));
     } else {
-      text += ",\"witness\":null"sv;
+      to << ",\"witness\":null"sv;
     }
-    if (decision.zero) add("zero", zero_object(*decision.zero), text);
+    if (decision.zero) to.field("zero", zero_object(*decision.zero));
     if (decision.overlap) {
-      add("overlap",
-          Json::array({range_object(decision.overlap->first), range_object(decision.overlap->second)}), text);
+      to.field("overlap",
+               Json::array({range_object(decision.overlap->first), range_object(decision.overlap->second)}));
     }
-    if (!decision.open.empty()) add("open", decision.open, text);
-    text += ",\"criteria\":{"sv;
+    if (!decision.open.empty()) to.field("open", decision.open);
+    to << ",\"criteria\":{"sv;
     for (std::size_t i = 0; i < checked.criteria.size(); ++i) {
-      text += i > 0 ? ",\""sv : "\""sv;
-      text += checked.criteria[i].criterion->name;
-      text += "\":\""sv;
-      text += name(checked.criteria[i].verdict.status);
-      text += '"';
+      to << (i > 0 ? ",\""sv : "\""sv) << checked.criteria[i].criterion->name << "\":\""sv
+         << name(checked.criteria[i].verdict.status) << "\""sv;
     }
-    text += "},\"agreement\":\""sv;
-    text += name(checked.agreement);
-    text += "\"}\n"sv;
+    to << "},\"agreement\":\""sv << name(checked.agreement) << "\"}\n"sv;
   }
 
   void end(const Mesh& mesh, const Summary& summary) override {
@@ -139,19 +171,6 @@ class JsonLinesReport : public Report {
         {"points", mesh.ignored.points}, {"lines", mesh.ignored.lines}, {"volumes", mesh.ignored.volumes}};
     object["seconds"] = summary.seconds;
     stream_ << line_of({{"summary", object}});
-  }
-
- private:
-  static void add(std::uint64_t number, std::string& text) {
-    std::array<char, 20> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    text.append(digits.data(), end);
-  }
-  static void add(const char* key, const Json& value, std::string& text) {
-    text += ",\"";
-    text += key;
-    text += "\":";
-    text += text_of(value);
   }
 };
 

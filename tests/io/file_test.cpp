@@ -9,10 +9,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace bezcert::test {
 namespace {
@@ -63,6 +66,33 @@ TEST_CASE("a file is written whole and read back byte for byte") {
   write_file(folder / "empty", [](std::ostream&) {});
   CHECK(read_file(folder / "empty").empty());
   CHECK(folder.count() == 2);
+}
+
+TEST_CASE("the bytes of a file, mapped or read, and whether it was written to meanwhile") {
+  const Folder folder;
+  const std::string bytes = std::string(5000, 'a') + '\0' + "end";
+  write_file(folder / "a", [&](std::ostream& stream) { stream << bytes; });
+  const FileBytes file(folder / "a");
+  CHECK(file.view() == bytes);
+  CHECK_NOTHROW(file.check_unchanged());
+  // Replaced by renaming, the bytes stay; written in place they do not.
+  write_file(folder / "a", [&](std::ostream& stream) { stream << "other"; });
+  CHECK(file.view() == bytes);
+  CHECK_NOTHROW(file.check_unchanged());
+  const FileBytes other(folder / "a");
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // coarser clocks of file systems
+  std::ofstream(folder / "a", std::ios::app) << "more";
+  CHECK_THROWS_AS(other.check_unchanged(), InputError);
+
+  write_file(folder / "empty", [](std::ostream&) {});
+  CHECK(FileBytes(folder / "empty").view().empty());
+  CHECK_THROWS_AS(FileBytes(folder / "none"), InputError);
+  CHECK_THROWS_AS(FileBytes(folder / "."), InputError);
+
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  std::thread writer([&] { std::ofstream(folder / "pipe", std::ios::binary) << bytes; });
+  CHECK(FileBytes(folder / "pipe").view() == bytes);
+  writer.join();
 }
 
 TEST_CASE("a file whose writing fails keeps what it held, and nothing is left behind") {

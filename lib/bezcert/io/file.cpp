@@ -4,6 +4,8 @@
 
 #include <fcntl.h>
 #include <openssl/evp.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -26,22 +28,25 @@ struct Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 };
 
-}  // namespace
-
-std::string read_file(const std::string& path) {
+int open_to_read(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (error || !std::filesystem::exists(status)) throw InputError(path, 0, "no such file");
   if (std::filesystem::is_directory(status)) throw InputError(path, 0, "is a folder, expected a mesh file");
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number < 0) throw InputError(path, 0, std::string("cannot be read: ") + std::strerror(errno));
-  // Into place, by what the file is said to be long; a pipe or a file that grows is read to its end.
-  const auto size = std::filesystem::file_size(path, error);
-  std::string bytes(error ? 0 : size + 1, '\0');
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw InputError(path, 0, std::string("cannot be read: ") + std::strerror(errno));
+  return descriptor;
+}
+
+// Into place, by what the file is said to be long; a pipe or a file that grows is read to its end.
+std::string read_all(int descriptor, const std::string& path) {
+  struct stat status {};
+  const bool known = ::fstat(descriptor, &status) == 0 && status.st_size > 0;
+  std::string bytes(known ? static_cast<std::size_t>(status.st_size) + 1 : 0, '\0');
   std::size_t filled = 0;
   for (;;) {
     if (filled == bytes.size()) bytes.resize(2 * bytes.size() + (1 << 16));
-    const ssize_t count = ::read(file.number, bytes.data() + filled, bytes.size() - filled);
+    const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw InputError(path, 0, "cannot be read to its end");
     if (count == 0) break;
@@ -49,6 +54,52 @@ std::string read_file(const std::string& path) {
   }
   bytes.resize(filled);
   return bytes;
+}
+
+// What changes when the file does: size, and time of the last writing.
+std::array<long, 3> state_of(int descriptor) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) return {};
+  return {static_cast<long>(status.st_size), status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  const Descriptor file(open_to_read(path));
+  return read_all(file.number, path);
+}
+
+FileBytes::FileBytes(const std::string& path) : path_(path), descriptor_(open_to_read(path)) {
+  state_ = state_of(descriptor_);
+  struct stat status {};
+  const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0;
+  const auto size = static_cast<std::size_t>(status.st_size);
+  void* const place =
+      regular ? ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0) : MAP_FAILED;
+  if (place != MAP_FAILED) {
+    is_mapped_ = true;
+    bytes_ = {static_cast<const char*>(place), size};
+    return;
+  }
+  try {
+    read_ = read_all(descriptor_, path_);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+  bytes_ = read_;
+}
+
+FileBytes::~FileBytes() {
+  if (is_mapped_) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
+  ::close(descriptor_);
+}
+
+void FileBytes::check_unchanged() const {
+  if (is_mapped_ && state_of(descriptor_) != state_) {
+    throw InputError(path_, 0, "was written to while it was read: expected a file that stays as it is");
+  }
 }
 
 std::string sha256(std::string_view bytes) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 namespace bezcert {
@@ -61,43 +62,55 @@ class Gluer {
     gluing_.begin = begin_vertices(edges_);
     gluing_.twin.assign(edges_.count(), no_edge);
     gluing_.faulty.assign(edges_.count(), false);
-    // Buckets by the smaller vertex, in each sorted by the larger: linear for a mesh, whose vertices have few
-    // edges.
-    std::vector<std::uint32_t> start(edges_.mesh().x.size() + 2, 0);
-    for (EdgeUse use = 0; use < edges_.count(); ++use) ++start[smaller(use) + 2];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<Use> uses(edges_.count());
-    for (EdgeUse use = 0; use < edges_.count(); ++use) {
-      const std::uint32_t a = gluing_.begin[use], b = gluing_.end(edges_, use);
-      uses[start[std::min(a, b) + 1]++] = {std::min(a, b), std::max(a, b), use, a < b};
-    }
-    for (std::size_t bucket = 0; bucket + 1 < start.size(); ++bucket) {
-      std::sort(
-          uses.begin() + start[bucket], uses.begin() + start[bucket + 1],
-          [](const Use& a, const Use& b) { return std::tie(a.larger, a.use) < std::tie(b.larger, b.use); });
-    }
-    for_groups(uses, [&](const Use* first, const Use* last) {
-      if (last - first == 2 && first[0].forward != first[1].forward) pair(first[0].use, first[1].use);
+    sort_by_smaller_vertex();
+    bool rest = false;
+    for_groups([&](std::span<const Use> uses) {
+      if (uses.size() == 2 && uses[0].forward != uses[1].forward) {
+        pair(uses[0].use, uses[1].use);
+      } else if (uses.size() > 1) {
+        rest = true;
+      }
     });
-    keep_plain_pairs();
-    for_groups(uses, [&](const Use* first, const Use* last) {
-      if (last - first > 1 && gluing_.twin[first->use] == no_edge) group({first, last});
-    });
+    if (!keep_plain_pairs()) rest = true;
+    if (rest) {
+      for_groups([&](std::span<const Use> uses) {
+        if (uses.size() > 1 && gluing_.twin[uses[0].use] == no_edge) group(uses);
+      });
+    }
     return std::move(gluing_);
   }
 
  private:
   std::uint32_t smaller(EdgeUse use) const { return std::min(gluing_.begin[use], gluing_.end(edges_, use)); }
 
-  // Calls each(first, last) for the uses of every pair of vertices.
+  // A counting sort: linear.
+  void sort_by_smaller_vertex() {
+    start_.assign(edges_.mesh().x.size() + 2, 0);
+    for (EdgeUse use = 0; use < edges_.count(); ++use) ++start_[smaller(use) + 2];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    sorted_.resize(edges_.count());
+    for (EdgeUse use = 0; use < edges_.count(); ++use) sorted_[start_[smaller(use) + 1]++] = use;
+  }
+
+  // Calls each(uses) for every pair of vertices; a vertex of a mesh has few edges.
   template <class Each>
-  static void for_groups(const std::vector<Use>& uses, Each each) {
-    const Use* const end = uses.data() + uses.size();
-    for (const Use* first = uses.data(); first != end;) {
-      const Use* last = first + 1;
-      while (last != end && last->smaller == first->smaller && last->larger == first->larger) ++last;
-      each(first, last);
-      first = last;
+  void for_groups(Each each) const {
+    std::vector<Use> at_vertex;
+    for (std::uint32_t vertex = 0; vertex + 1 < start_.size(); ++vertex) {
+      at_vertex.clear();
+      for (std::uint32_t i = start_[vertex]; i < start_[vertex + 1]; ++i) {
+        const std::uint32_t a = gluing_.begin[sorted_[i]], b = gluing_.end(edges_, sorted_[i]);
+        at_vertex.push_back({vertex, std::max(a, b), sorted_[i], a < b});
+      }
+      std::sort(at_vertex.begin(), at_vertex.end(), [](const Use& a, const Use& b) {
+        return std::tie(a.larger, a.use) < std::tie(b.larger, b.use);
+      });
+      for (auto first = at_vertex.begin(); first != at_vertex.end();) {
+        const auto last =
+            std::find_if(first, at_vertex.end(), [&](const Use& use) { return use.larger != first->larger; });
+        each(std::span<const Use>(first, last));
+        first = last;
+      }
     }
   }
 
@@ -106,19 +119,22 @@ class Gluer {
     gluing_.twin[b] = a;
   }
 
-  // Pairs stay if both run through the same nodes, the ordinary case. Asked in the order of the elements: by
-  // vertices most of the time is waiting for memory.
-  void keep_plain_pairs() {
+  // Pairs stay if both run through the same nodes, the ordinary case; returns whether all do. In the order of
+  // the elements: by vertices most of the time is waiting for memory.
+  bool keep_plain_pairs() {
+    bool all = true;
     for (EdgeUse a = 0; a < edges_.count(); ++a) {
       const EdgeUse b = gluing_.twin[a];
       if (b == no_edge || b < a) continue;
       if (edges_.basis(a) == edges_.basis(b) && edges_.nodes(a) == edges_.nodes(b).reversed()) continue;
       gluing_.twin[a] = gluing_.twin[b] = no_edge;
+      all = false;
     }
+    return all;
   }
 
   // All uses between two vertices.
-  void group(const std::vector<Use>& uses) {
+  void group(std::span<const Use> uses) {
     // An edge from a vertex to itself: its element is degenerate, and directions mean nothing.
     if (gluing_.begin[uses[0].use] == gluing_.end(edges_, uses[0].use)) return;
     std::vector<std::vector<Use>> classes;
@@ -224,6 +240,8 @@ class Gluer {
   const MeshEdges& edges_;
   ObstacleList& obstacles_;
   Gluing gluing_;
+  std::vector<EdgeUse> sorted_;       // by smaller vertex
+  std::vector<std::uint32_t> start_;  // where a vertex's begin, and the end
   std::string where_;
 };
 

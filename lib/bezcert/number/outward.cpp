@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cstdlib>
 #include <cmath>
 #include <limits>
 
@@ -73,23 +74,23 @@ std::optional<Dyadic> round(const Interval& enclosure, Direction direction, int 
 
 Rational to_rational(const Dyadic& value) { return Rational(value.mantissa) * power_of_two(value.exponent); }
 
-void append(const Dyadic& value, std::string& text) {
+char* write_short(const Dyadic& value, char* to) {
+  if (value.mantissa == 0) {
+    *to = '0';
+    return to + 1;
+  }
   // In lowest terms: an odd numerator, or no denominator.
-  const int twos = value.mantissa == 0 ? 0 : std::countr_zero(static_cast<unsigned long>(value.mantissa));
+  const int twos = std::countr_zero(static_cast<unsigned long>(value.mantissa));
   const long exponent = value.exponent + twos;
   const long odd = value.mantissa >> twos;
-  if (odd != 0 && (exponent <= -63 || exponent >= 0)) {
-    text += to_string(to_rational(value));
-    return;
+  if (exponent >= 0) {
+    const bool fits = exponent < 63 && std::abs(odd) <= std::numeric_limits<long>::max() >> exponent;
+    return fits ? std::to_chars(to, to + 20, odd * (1L << exponent)).ptr : nullptr;
   }
-  std::array<char, 20> digits;
-  const auto add = [&](long number) {
-    text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-  };
-  add(odd);
-  if (odd == 0) return;
-  text += '/';
-  add(1L << -exponent);
+  if (exponent <= -63) return nullptr;
+  to = std::to_chars(to, to + 20, odd).ptr;
+  *to++ = '/';
+  return std::to_chars(to, to + 19, 1L << -exponent).ptr;
 }
 
 Dyadic round_down(const Rational& value, int bits) { return round(value, Direction::down, bits); }

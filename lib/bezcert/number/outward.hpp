@@ -28,8 +28,9 @@ struct Dyadic {
 };
 
 Rational to_rational(const Dyadic& value);
-/// Appends to_string(to_rational(value)), mostly without making a Rational.
-void append(const Dyadic& value, std::string& text);
+/// Writes to_string(to_rational(value)) without making a Rational and returns its end; null, and nothing is
+/// written, where that needs 2^63. Precondition: room for 40 characters.
+char* write_short(const Dyadic& value, char* to);
 inline int sign(const Dyadic& value) { return (value.mantissa > 0) - (value.mantissa < 0); }
 
 /// Significant bits of the bounds in reports: about three decimal digits.
