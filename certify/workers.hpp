@@ -66,7 +66,7 @@ class Workers {
     std::size_t next = 0;
     arena_->execute([&] {
       tbb::parallel_pipeline(
-          4 * jobs_,
+          2 * jobs_,
           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
                                               [&](tbb::flow_control& control) {
                                                 const std::size_t begin = next;

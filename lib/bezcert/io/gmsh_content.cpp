@@ -31,7 +31,6 @@ void GmshContent::add_coordinate(ExactVector& to, std::string_view text, std::ui
 }
 
 void GmshContent::add_tag(std::uint64_t tag, std::size_t line) {
-  consecutive_ = consecutive_ && (node_tags_.empty() || tag == node_tags_.back() + 1);
   const std::size_t node = node_tags_.size();
   if (line > 0 && (node_lines_.empty() || line - node_lines_.back().line != node - node_lines_.back().node)) {
     node_lines_.push_back({node, line});
@@ -96,7 +95,6 @@ void GmshContent::reserve_nodes(std::uint64_t count) {
   if (count > source_.remaining() / 8) return;
   mesh_.x.reserve(count);
   mesh_.y.reserve(count);
-  node_tags_.reserve(count);
 }
 
 void GmshContent::reserve_elements(const GmshType& type, std::uint64_t count) {
@@ -203,12 +201,12 @@ Mesh GmshContent::finish() {
   if (node_tags_.size() >= NodeIndex::none) source_.fail_at(0, "more than 2^32 - 2 nodes are not supported");
 
   NodeIndex index;
-  if (consecutive_ && !node_tags_.empty()) {
-    index.first = node_tags_.front();
+  if (node_tags_.consecutive() && !node_tags_.empty()) {
+    index.first = node_tags_[0];
     index.consecutive = node_tags_.size();
   } else {
-    const std::uint64_t largest =
-        node_tags_.empty() ? 0 : *std::max_element(node_tags_.begin(), node_tags_.end());
+    std::uint64_t largest = 0;
+    for (std::size_t i = 0; i < node_tags_.size(); ++i) largest = std::max(largest, node_tags_[i]);
     if (largest < 4 * node_tags_.size() + 1024) index.dense.assign(largest + 1, NodeIndex::none);
     for (std::size_t i = 0; i < node_tags_.size(); ++i) {
       if (!index.add(node_tags_[i], static_cast<std::uint32_t>(i))) {

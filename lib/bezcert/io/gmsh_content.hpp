@@ -69,8 +69,7 @@ class GmshContent {
   Mesh mesh_;
   ExactVector z_;               // empty while all are flat_
   std::optional<double> flat_;  // the z of all nodes so far, if it is one double
-  std::vector<std::uint64_t> node_tags_;
-  bool consecutive_ = true;  // whether each tag is one more than the one before
+  NodeTags node_tags_;
   struct LinesFrom {
     std::size_t node, line;
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bezcert/element/element.hpp"
+#include "bezcert/mesh/node_tags.hpp"
 
 #include <cstdint>
 #include <string>
@@ -42,7 +43,7 @@ class Mesh {
   /// corners are one vertex if they are one point (.bez.json with elements that list their own points).
   bool glued_by_nodes = true;
   /// The numbers that the file gives its nodes; empty if it has none (then they are their places, from 0).
-  std::vector<std::uint64_t> node_tags;
+  NodeTags node_tags;
   IgnoredCells ignored;
   /// What was assumed when reading: for reports.
   std::string basis_name;
