@@ -1,9 +1,10 @@
 // The elements file: ASCII Gmsh .msh 2.x and 4.1, and exact .bez.json (docs/formats.md).
 #pragma once
 
-#include "text.hpp"
+#include "polynomial.hpp"
 
 #include <cstdint>
+#include <span>
 
 namespace verifier {
 
@@ -15,11 +16,11 @@ struct Element {
   int p, q;       ///< degrees in u and v, 1 to 64; p = q = n for triangles
   bool lagrange;  ///< points are equispaced nodes, else control points
   bool rational;  ///< weights are not all equal
-  std::vector<mpz_class> x, y, w;
+  Integers x, y, w;
   mpz_class unit;
 };
 
-/// A file read whole; numbers stay texts in it until an element is asked for.
+/// A file read whole. Exact numbers stay texts until an element is asked for.
 class Elements {
  public:
   /// `basis` and `numbers` are words of the certificate's header. Throws Malformed, as element() does.
@@ -33,7 +34,12 @@ class Elements {
   /// Whether corners are one vertex by common nodes; else by equal points.
   bool glued_by_nodes() const { return glued_by_nodes_; }
   /// The places (in the file's list of points) of the element's points, in the order of Element.
-  std::vector<std::uint32_t> nodes(std::size_t i) const;
+  std::span<const std::uint32_t> nodes(std::size_t i) const {
+    const Shape& s = shapes_[i];
+    return {nodes_.data() + s.first, point_count(s.triangle, s.p, s.q)};
+  }
+  /// Those along an edge, from its first corner to the next.
+  std::vector<std::uint32_t> edge_nodes(std::size_t i, std::size_t e) const;
 
  private:
   struct Shape {
@@ -44,19 +50,26 @@ class Elements {
   std::string bytes_;
   std::vector<Shape> shapes_;
   std::vector<std::uint32_t> nodes_;
-  std::vector<std::string_view> x_, y_, w_;  ///< w_ may be empty: all 1
+  struct Column {  ///< of points: either
+    std::vector<double> doubles;
+    std::vector<std::string_view> texts;
+  } x_, y_, w_;  ///< w_ may be empty: all 1
   bool glued_by_nodes_ = true, binary64_, json_;
 
   void read_msh(bool lagrange);
   void read_json();
+  /// Appends the columns' numbers at the element's points as integers, all times the number that is returned.
+  mpz_class scaled(std::initializer_list<const Column*> columns, std::size_t i, Integers& all) const;
 };
 
-std::size_t point_count(bool triangle, std::size_t p, std::size_t q);
+/// SHA-256 in lower-case hex.
+std::string sha256(std::string_view bytes);
+
 /// The place, in Element's order, of the k-th point of edge e, from its first corner on, of the `ring`-th
 /// ring of points (0: the boundary).
 std::size_t edge_place(bool triangle, std::size_t p, std::size_t q, std::size_t e, std::size_t k,
                        std::size_t ring = 0);
 /// The places of all points of edge e, from its first corner to the next.
-std::vector<std::size_t> edge_positions(const Element& element, int e);
+std::vector<std::size_t> edge_positions(bool triangle, std::size_t p, std::size_t q, std::size_t e);
 
 }  // namespace verifier

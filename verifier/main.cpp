@@ -1,8 +1,8 @@
 // verifier ELEMENTS CERTIFICATE: holds every line of the certificate against its rule; exit code 0 if all
 // hold.
-#include "mesh_rules.hpp"
-#include "sha256.hpp"
+#include "rules.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_characters = std::size_t{1} << 26;    // of a line
 constexpr std::size_t most_number_bytes = std::size_t{1} << 25;  // 2^28 bits
+constexpr std::size_t least_number_bytes = 32;                   // there is room for so many at least
 constexpr std::size_t most_bytes = std::size_t{1} << 31;         // of all numbers together
 
 /// The certificate, line by line.
@@ -56,7 +57,8 @@ void* reallocate(void* memory, std::size_t old_size, std::size_t new_size) {
   bytes_in_use += new_size - old_size;
   if (new_size > most_number_bytes) leave(2, "limit: a number of more than 2^28 bits");
   if (bytes_in_use > most_bytes) leave(2, "limit: numbers of more than 2 GiB");
-  memory = std::realloc(memory, new_size);
+  if (memory != nullptr && std::max(old_size, new_size) <= least_number_bytes) return memory;
+  memory = std::realloc(memory, std::max(new_size, least_number_bytes));
   if (memory == nullptr) leave(2, "limit: no memory");
   return memory;
 }
