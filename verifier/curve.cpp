@@ -18,17 +18,6 @@ int crossings(const Curve& c, int depth) {
   return crossings(half[0], depth + 1) + crossings(half[1], depth + 1);
 }
 
-/// The coefficients of powers of z as polynomials in rho: those of c(rho z), or of c(z).
-Polynomial2 in_z(const Integers& c, bool with_rho) {
-  Polynomial2 rows;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    rows.emplace_back(with_rho ? i + 1 : 1);
-    rows.back().back() = c[i];
-  }
-  trim(rows);
-  return rows;
-}
-
 }  // namespace
 
 Curve reversed(Curve curve) {
@@ -72,20 +61,18 @@ int winding(const Point& p, const std::vector<Curve>& loop) {
   return sum;
 }
 
-// The differences X_a(rho z) W_b(z) - W_a(rho z) X_b(z), and with Y, have coefficients of powers of z whose
-// common roots rho != 0 are simple, and those of rho^j = r for one j and r (certificate-format.md): their
-// greatest common divisor has a change of sign if and only if r > 0.
-bool one_curve(const Curve& a, const Curve& b) {
-  bool equal = a.x.size() == b.x.size();  // in the same parameter: by far the most
+// The derivatives at z = 0 tell rho, unless one of them is 0.
+bool one_curve(Curve a, const Curve& b) {
+  const auto slope = [](const Curve& c, Integers Curve::*f) {
+    return fraction((c.*f)[1] * c.w[0] - (c.*f)[0] * c.w[1], c.w[0] * c.w[0]);
+  };
+  const Point at_a{slope(a, &Curve::x), slope(a, &Curve::y)}, at_b{slope(b, &Curve::x), slope(b, &Curve::y)};
+  if (at_a == Point() || at_b == Point()) return true;
+  const mpq_class rho = at_a[0] != 0 ? at_b[0] / at_a[0] : at_b[1] / at_a[1];
+  if (rho <= 0) return false;
   for (const auto f : coordinates)
-    for (std::size_t i = 0; equal && i < a.x.size(); ++i) equal = (a.*f)[i] * b.w[0] == (b.*f)[i] * a.w[0];
-  if (equal) return true;
-  Polynomial divisor;
-  for (const auto f : {&Curve::x, &Curve::y})
-    for (const Polynomial& c : in_z(a.*f, true) * in_z(b.w, false) - in_z(a.w, true) * in_z(b.*f, false))
-      divisor = common_divisor(divisor, c);
-  return divisor.empty() || std::any_of(divisor.begin(), divisor.end(),
-                                        [&](const mpz_class& c) { return sgn(c) * sgn(divisor.back()) < 0; });
+    a.*f = compose(a.*f, static_cast<int>((a.*f).size()) - 1, {{0, rho.get_num()}, rho.get_den()});
+  return a.x * b.w == b.x * a.w && a.y * b.w == b.y * a.w;
 }
 
 }  // namespace verifier

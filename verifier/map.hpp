@@ -43,7 +43,8 @@ int crossings(const Point& p, Curve curve);
 int winding(const Point& p, const std::vector<Curve>& loop);
 
 /// Whether a(rho z) = b(z) for a rho > 0, z = t / (1 - t): b is a after a change of its parameter that keeps
-/// the direction.
-bool one_curve(const Curve& a, const Curve& b);
+/// the direction. True as well, for "perhaps", if one of them is not regular at its begin: edges of regular
+/// elements are.
+bool one_curve(Curve a, const Curve& b);
 
 }  // namespace verifier

@@ -171,28 +171,15 @@ bool one_strict_sign(const Integers& c) {
   return std::all_of(c.begin(), c.end(), [&](const mpz_class& z) { return sgn(z) * sgn(c[0]) > 0; });
 }
 
-/// f modulo m, which is not 0, times a number that is not 0.
-static Polynomial remainder(Polynomial f, const Polynomial& m) {
+bool divisible(Polynomial f, const Polynomial& m) {
+  if (m.empty()) return false;
   for (trim(f); f.size() >= m.size(); trim(f)) {
     spend(2 * f.size() * product_work(limbs(f), limbs(m)));
     const mpz_class top = f.back();
     for (mpz_class& c : f) c *= m.back();
     for (std::size_t i = 0; i < m.size(); ++i) f[f.size() - m.size() + i] -= top * m[i];
   }
-  return f;
-}
-
-bool divisible(const Polynomial& f, const Polynomial& m) { return !m.empty() && remainder(f, m).empty(); }
-
-Polynomial common_divisor(Polynomial f, Polynomial g) {
-  for (trim(f), trim(g); !g.empty(); std::swap(f, g)) {
-    mpz_class content;
-    spend(64 * g.size() * product_work(limbs(g), limbs(g)));
-    for (const mpz_class& c : g) content = gcd(content, c);
-    for (mpz_class& c : g) c /= content;
-    f = remainder(std::move(f), g);
-  }
-  return f;
+  return f.empty();
 }
 
 // Bareiss: every intermediate entry is a minor, so the divisions are exact.

@@ -86,9 +86,7 @@ int sign_at(const Polynomial& f, const mpq_class& x);
 bool one_strict_sign(const Integers& c);
 
 /// Whether f = q m for a polynomial q over the rationals; false if m = 0.
-bool divisible(const Polynomial& f, const Polynomial& m);
-/// Over the rationals; 0 if both are.
-Polynomial common_divisor(Polynomial f, Polynomial g);
+bool divisible(Polynomial f, const Polynomial& m);
 /// The determinant of the Sylvester matrix with respect to v of f and g, taken in the degrees n and m,
 /// at least theirs, up to a positive factor.
 Polynomial resultant(const Polynomial2& f, int n, const Polynomial2& g, int m);

@@ -136,7 +136,10 @@ class Mesh:
         a, b = self.ends(u)
         if a == b or self.ends(w) != (b, a) or u == w:
             return False
-        first, second = (reduced(c) for c in (self.curve[u], self.curve[w][::-1]))
+        curves = self.curve[u], self.curve[w][::-1]
+        if any(affine(c[0]) == affine(c[1]) for c in curves):  # not regular there: perhaps
+            return True
+        first, second = map(reduced, curves)
         ratios = []
         for p, q in zip(first, second):
             if any(p) != any(q):
