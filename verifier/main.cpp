@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_characters = std::size_t{1} << 26;    // of a line
 constexpr std::size_t most_number_bytes = std::size_t{1} << 25;  // 2^28 bits
-constexpr std::size_t least_number_bytes = 32;                   // there is room for so many at least
+constexpr std::size_t least_number_bytes = 24;                   // there is room for so many at least
 constexpr std::size_t most_bytes = std::size_t{1} << 31;         // of all numbers together
 
 /// The certificate, line by line.
@@ -51,8 +51,10 @@ struct Certificate {
   std::_Exit(code);
 }
 
-// Memory of GMP, counted. GMP cannot give up, so this leaves the program.
+// Memory of GMP, counted. GMP cannot give up, so this leaves the program. Small blocks are kept for the next
+// number.
 std::size_t bytes_in_use = 0;
+std::vector<void*> spare;
 void* reallocate(void* memory, std::size_t old_size, std::size_t new_size) {
   bytes_in_use += new_size - old_size;
   if (new_size > most_number_bytes) leave(2, "limit: a number of more than 2^28 bits");
@@ -62,10 +64,14 @@ void* reallocate(void* memory, std::size_t old_size, std::size_t new_size) {
   if (memory == nullptr) leave(2, "limit: no memory");
   return memory;
 }
-void* allocate(std::size_t size) { return reallocate(nullptr, 0, size); }
+void* allocate(std::size_t size) {
+  void* block = nullptr;
+  if (size <= least_number_bytes && !spare.empty()) block = spare.back(), spare.pop_back();
+  return reallocate(block, 0, size);
+}
 void release(void* memory, std::size_t size) {
   bytes_in_use -= size;
-  std::free(memory);
+  size <= least_number_bytes ? spare.push_back(memory) : std::free(memory);
 }
 
 std::string read_file(const std::string& path) {
