@@ -54,7 +54,7 @@ struct Certificate {
 // Memory of GMP, counted. GMP cannot give up, so this leaves the program. Small blocks are kept for the next
 // number.
 std::size_t bytes_in_use = 0;
-std::vector<void*> spare;
+auto& spare = *new std::vector<void*>;  // never destroyed
 void* reallocate(void* memory, std::size_t old_size, std::size_t new_size) {
   bytes_in_use += new_size - old_size;
   if (new_size > most_number_bytes) leave(2, "limit: a number of more than 2^28 bits");

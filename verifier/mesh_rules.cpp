@@ -27,13 +27,10 @@ int direction(const std::vector<Curve>& loop) {
 }
 
 struct Rim {  ///< an edge of the boundary
-  Use use;
   Curve curve;
   Point low, high;  ///< the box of the control points
-  Rim* next = nullptr;
-  std::size_t loop = none;
 
-  Rim(Use u, const Curve& c) : use(u), curve(c), low(control_point(c, 0)), high(low) {
+  explicit Rim(const Curve& c) : curve(c), low(control_point(c, 0)), high(low) {
     for (std::size_t i = 1; i < c.x.size(); ++i) {
       const Point p = control_point(c, i);
       for (const int axis : {0, 1})
@@ -41,76 +38,57 @@ struct Rim {  ///< an edge of the boundary
     }
   }
 };
+using Rims = std::map<Use, Rim>;
 
-/// Boundary edges, each with the one that follows it on its loop.
-std::map<Use, Rim> boundary(const Surface& s) {
-  std::map<Use, Rim> rims;
-  for (const Use u : s.uses) {
-    if (s.mate[u] != none) continue;
-    begin_line();
-    rims.try_emplace(u, u, s.curve(u));
-  }
-  for (auto& [u, rim] : rims) {
-    Use corner = u;
-    while (s.across(corner) != none) corner = s.across(corner);
-    rims.at(s.preceding(corner)).next = &rim;
-  }
-  return rims;
-}
-
-void check_embedding(const Elements& elements, const std::function<std::string_view()>& next_line) {
-  Surface s(elements);
-  s.glue();
-  std::map<Use, Rim> rims = boundary(s);
-
+/// The lines `pair`, and that no two edges of the boundary whose boxes meet are without one.
+void check_pairs(const Surface& s, const Rims& rims, const std::function<std::string_view()>& next_line) {
   std::set<std::pair<Use, Use>> pairs;
-  const auto rim_named = [&](const EdgeName& name) -> const Rim& {
-    const auto at = rims.find(s.named(name));
-    require(at != rims.end(), "pair: not an edge of the boundary");
-    return at->second;
-  };
   Tokens line(next_line());
   for (; line.accept("pair"); line = Tokens(next_line())) {
-    const Rim &a = rim_named(line.edge_name()), &b = rim_named(line.edge_name());
-    require(a.use / 4 != b.use / 4, "pair: edges of one element");
-    check_pair(line, a.curve, b.curve, {a.next == &b, b.next == &a});
+    const Use a = s.named(line.edge_name()), b = s.named(line.edge_name());
+    require(rims.contains(a) && rims.contains(b), "pair: not an edge of the boundary");
+    require(a / 4 != b / 4, "pair: edges of one element");
+    check_pair(line, rims.at(a).curve, rims.at(b).curve, {s.follower(a) == b, s.follower(b) == a});
     line.expect_end();
-    pairs.insert(std::minmax(a.use, b.use));
+    pairs.insert(std::minmax(a, b));
   }
   if (!line.accept("end")) throw Malformed{"expected pair or end"};
   line.expect_end();
 
-  std::vector<const Rim*> sorted;
-  for (const auto& [u, rim] : rims) sorted.push_back(&rim);
-  std::sort(sorted.begin(), sorted.end(), [](const Rim* a, const Rim* b) { return a->low[0] < b->low[0]; });
+  std::vector<const Rims::value_type*> sorted;
+  for (const auto& rim : rims) sorted.push_back(&rim);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const auto* a, const auto* b) { return a->second.low[0] < b->second.low[0]; });
   for (auto i = sorted.begin(); i != sorted.end(); ++i) {
-    const Rim& a = **i;
-    for (auto j = i + 1; j != sorted.end() && (*j)->low[0] <= a.high[0]; ++j) {
-      const Rim& b = **j;
+    const auto& [u, a] = **i;
+    for (auto j = i + 1; j != sorted.end() && (*j)->second.low[0] <= a.high[0]; ++j) {
+      const auto& [v, b] = **j;
       spend(8);
-      require(a.use / 4 == b.use / 4 || a.low[1] > b.high[1] || b.low[1] > a.high[1] ||
-                  pairs.contains(std::minmax(a.use, b.use)),
-              "a pair is missing");
+      require(
+          u / 4 == v / 4 || a.low[1] > b.high[1] || b.low[1] > a.high[1] || pairs.contains(std::minmax(u, v)),
+          "a pair is missing");
     }
   }
+}
 
-  std::vector<std::vector<Curve>> loops;
-  for (auto& [u, start] : rims) {
-    if (start.loop != none) continue;
-    loops.emplace_back();
-    for (Rim* rim = &start; rim->loop == none; rim = rim->next)
-      rim->loop = loops.size() - 1, loops.back().push_back(rim->curve);
-  }
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    const Point p = control_point(loops[i][0], 0);
+/// Beside every loop there are points with one preimage on one side and with none on the other.
+void check_loops(const Surface& s, const Rims& rims) {
+  std::set<Use> seen;
+  for (const auto& [start, first] : rims) {
+    if (seen.contains(start)) continue;
+    std::set<Use> own;
+    std::vector<Curve> loop;
+    for (Use u = start; own.insert(u).second; u = s.follower(u)) loop.push_back(rims.at(u).curve);
+    const Point p = control_point(first.curve, 0);
     int around = 0;  // the winding numbers of all other loops
     for (const auto& [u, rim] : rims) {
       spend(8);
-      if (rim.loop != i && rim.low[1] <= p[1] && p[1] <= rim.high[1] && p[0] <= rim.high[0])
+      if (!own.contains(u) && rim.low[1] <= p[1] && p[1] <= rim.high[1] && p[0] <= rim.high[0])
         around += crossings(p, rim.curve);
     }
-    require(around == (direction(loops[i]) > 0 ? 0 : 1),
+    require(around == (direction(loop) > 0 ? 0 : 1),
             "not one preimage on one side of a loop, none on the other");
+    seen.merge(own);
   }
 }
 
@@ -123,7 +101,15 @@ std::string check_mesh(const Elements& elements, const std::vector<Claim>& claim
     line.expect_end();
     require(std::all_of(claims.begin(), claims.end(), [](Claim c) { return c == Claim::injective; }),
             "an element is not claimed to be injective");
-    check_embedding(elements, next_line);
+    Surface s(elements);
+    s.glue();
+    Rims rims;
+    for (const Use u : s.uses) {
+      begin_line();
+      if (s.mate[u] == none) rims.try_emplace(u, s.curve(u));
+    }
+    check_pairs(s, rims, next_line);
+    check_loops(s, rims);
   } else if (claim == "refuted") {
     claim += ' ' + check_refutation(elements, claims, line);
   } else if (claim != "undecided") {

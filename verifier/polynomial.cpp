@@ -16,6 +16,7 @@ std::size_t product_work(std::size_t a, std::size_t b) {
 }
 
 mpq_class fraction(const mpz_class& a, const mpz_class& b) {
+  spend(1024 * (1 + mpz_size(a.get_mpz_t()) + mpz_size(b.get_mpz_t())));  // a gcd
   mpq_class value(a, b);
   value.canonicalize();
   return value;

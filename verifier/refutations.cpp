@@ -36,58 +36,50 @@ void check_pinch(const Surface& s, Tokens& line) {
   require(!in_fan(to), "pinch: one fan");
 }
 
-/// Closeness of points, measured by an edge of an element and its farthest point.
-struct Frame {
-  Point a, c;
-  mpq_class area;
-  Frame(const Element& element, const Curve& edge) : a(point(edge, 1) - point(edge, 0)) {
-    for (std::size_t i = 0; i < element.x.size(); ++i) {
-      const Point to = element_point(element, i) - point(edge, 0);
-      const mpq_class size = abs(cross(a, to));
-      if (size > area) area = size, c = to;
-    }
-  }
-  bool close(const Point& p, const Point& q) const {
-    const Point d = p - q;
-    return area > 0 && 8 * abs(cross(d, c)) <= area && 8 * abs(cross(a, d)) <= area;
-  }
-};
-
-void check_crack(const Surface& s, Use u, Use v, const mpq_class& t) {
-  require(s.opposite(u, v) && 0 <= t && t <= 1, "gap: not two uses of one pair of vertices");
-  const Curve a = s.curve(u), b = reversed(s.curve(v));
-  crossings(point(a, t), b);  // Rejected if the point may be on the curve
-  const auto close = [&](Use use) {
-    const Frame frame(s.elements.element(use / 4), s.curve(use));
-    bool all = true;
-    for (int k = 1; k < 16; ++k)
-      all = all && frame.close(point(a, fraction(k, 16)), point(b, fraction(k, 16)));
-    return all;
-  };
-  require(close(u) || close(v), "gap: not close");
-}
-
-void check_hanging(const Surface& s, Use u, Use v, Use w) {
-  require(s.end(u) == s.begin(v) && s.end(v) == s.begin(w) && s.end(w) == s.begin(u), "gap: not a loop");
-  require(u / 4 != v / 4 && u / 4 != w / 4, "gap: edges of one element");
+/// Whether all differences d of points are small, measured by the use and its element's point that is
+/// farthest from it.
+bool are_small(const Surface& s, Use u, const std::vector<Point>& differences) {
+  const Element element = s.elements.element(u / 4);
   const Curve edge = s.curve(u);
-  const Frame frame(s.elements.element(u / 4), edge);
-  const Point node = point(s.curve(w), 0);
-  for (const Point& p : {node, point(s.curve(v), fraction(1, 2)), point(s.curve(w), fraction(1, 2))}) {
-    bool close = false;
-    for (int k = 0; k <= 32 && !close; ++k) close = frame.close(p, point(edge, fraction(k, 32)));
-    require(close, "gap: not close");
+  const Point begin = control_point(edge, 0), a = point(edge, 1) - begin;
+  Point c;
+  mpq_class area;
+  for (std::size_t i = 0; i < element.x.size(); ++i) {
+    const Point to = element_point(element, i) - begin;
+    if (const mpq_class size = abs(cross(a, to)); size > area) area = size, c = to;
   }
-  crossings(node, edge);
+  return area > 0 && std::all_of(differences.begin(), differences.end(), [&](const Point& d) {
+           return 8 * abs(cross(d, c)) <= area && 8 * abs(cross(a, d)) <= area;
+         });
 }
 
 void check_gap(const Surface& s, Tokens& line) {
-  std::vector<Use> uses{s.named(line.edge_name()), s.named(line.edge_name())};
+  const Use u = s.named(line.edge_name()), v = s.named(line.edge_name());
   const bool hanging = Tokens(line).word().find('.') != std::string_view::npos;
-  if (hanging) uses.push_back(s.named(line.edge_name()));
-  for (const Use u : uses)
-    for (const Use v : s.uses) require(!s.one_edge(u, v), "gap: perhaps an edge is glued");
-  hanging ? check_hanging(s, uses[0], uses[1], uses[2]) : check_crack(s, uses[0], uses[1], line.rational());
+  const Use w = hanging ? s.named(line.edge_name()) : v;
+  for (const Use x : {u, v, w})
+    for (const Use y : s.uses) require(!s.one_edge(x, y), "gap: perhaps an edge is glued");
+  const Curve a = s.curve(u), b = reversed(s.curve(v));
+  bool close = true;
+  if (hanging) {
+    require(s.end(u) == s.begin(v) && s.end(v) == s.begin(w) && s.end(w) == s.begin(u), "gap: not a loop");
+    require(u / 4 != v / 4 && u / 4 != w / 4, "gap: edges of one element");
+    crossings(control_point(b, 0), a);  // Rejected if the node may be on the curve
+    for (const Point& p :
+         {control_point(b, 0), point(b, fraction(1, 2)), point(s.curve(w), fraction(1, 2))}) {
+      bool near = false;
+      for (int k = 0; k <= 32 && !near; ++k) near = are_small(s, u, {p - point(a, fraction(k, 32))});
+      close = close && near;
+    }
+  } else {
+    const mpq_class t = line.rational();
+    require(s.opposite(u, v) && 0 <= t && t <= 1, "gap: not two uses of one pair of vertices");
+    crossings(point(a, t), b);
+    std::vector<Point> differences;
+    for (int k = 1; k < 16; ++k) differences.push_back(point(a, fraction(k, 16)) - point(b, fraction(k, 16)));
+    close = are_small(s, u, differences) || are_small(s, v, differences);
+  }
+  require(close, "gap: not close");
 }
 
 void check_cover(const Elements& elements, const std::vector<Claim>& claims, std::size_t i, std::size_t j,

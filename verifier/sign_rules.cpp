@@ -89,17 +89,16 @@ void check_exponents(Tokens& tokens, const Polynomial& f, const std::vector<Poly
   require(ratio({f}, {product}) != 0, "roots of columns");
 }
 
-/// f > 0 on the square, shown on it or on its halves, quarters, ... across u, at most `left` + 1 pieces.
-void check_halves(const Form& f, int& left) {
-  if (is_positive(f, true)) return;
-  require(f.c.front() > 0 && f.c.back() > 0 && left-- > 0, "f on a column or slab");
-  for (const bool second : {false, true}) check_halves(half(f, second, false), left);
-}
-
-void check_strip(const Polynomial2& f) {
-  const auto [p, q, total] = degrees(f);
-  int left = 4095;
-  check_halves(form(f, false, p, q), left);
+/// f > 0 on the square, shown on it or on its halves, quarters, ... across u, at most 4096 pieces.
+void check_strip(const Form& f) {
+  std::vector<Form> rest{f};
+  for (int pieces = 1; !rest.empty();) {
+    const Form piece = std::move(rest.back());
+    rest.pop_back();
+    if (is_positive(piece, true)) continue;
+    require(piece.c.front() > 0 && piece.c.back() > 0 && ++pieces <= 4096, "f on a column or slab");
+    for (const bool second : {false, true}) rest.push_back(half(piece, second, false));
+  }
 }
 
 void check_columns(Tokens& tokens, Polynomial2 f, bool triangle, bool strict) {
@@ -125,14 +124,14 @@ void check_columns(Tokens& tokens, Polynomial2 f, bool triangle, bool strict) {
     require(c.back() < u && u < 1, "order of columns");
     c.push_back(u);
     for (const Polynomial& factor : s) require(sign_at(factor, u) != 0, "a column over a root");
-    check_strip({compose(f, constant(u), {{0, 1}, 1})});
+    check_strip(form({compose(f, constant(u), {{0, 1}, 1})}, false, n, 0));
   }
   c.push_back(1);
   for (std::size_t i = 0; i + 1 < c.size(); ++i) {
     if (strict && tokens.accept("slab")) {
       Polynomial2 slab;
       for (const Polynomial& row : f) slab.push_back(compose(row, degrees(f)[0], onto(c[i], c[i + 1])));
-      check_strip(exchanged(slab));
+      check_strip(form(exchanged(slab), false, n, degrees(f)[0]));
       continue;
     }
     const bool open = tokens.accept("open"), at_end = i == 0 || i + 2 == c.size();

@@ -23,8 +23,11 @@ struct Surface {
   Use corners(Use u) const { return static_cast<Use>(elements.corner_count(u / 4)); }
   Use following(Use u) const { return u % 4 + 1 == corners(u) ? u - u % 4 : u + 1; }
   Use preceding(Use u) const { return u % 4 == 0 ? u + corners(u) - 1 : u - 1; }
-  /// The next corner around the vertex, clockwise, or none.
-  Use across(Use corner) const { return mate[preceding(corner)]; }
+  /// The use that follows on the boundary, around the vertex across glued edges.
+  Use follower(Use u) const {
+    while (mate[u = following(u)] != none) u = mate[u];
+    return u;
+  }
   Index begin(Use u) const { return vertex[u]; }
   Index end(Use u) const { return vertex[following(u)]; }
   Curve curve(Use u) const { return edge_curves(elements.element(u / 4))[u % 4]; }
