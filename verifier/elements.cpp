@@ -44,12 +44,6 @@ std::size_t edge_place(bool triangle, std::size_t p, std::size_t q, std::size_t 
   return triangle ? v * (2 * p + 3 - v) / 2 + u : v * (p + 1) + u;
 }
 
-std::vector<std::size_t> edge_positions(bool triangle, std::size_t p, std::size_t q, std::size_t e) {
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k <= (e % 2 == 0 ? p : q); ++k) places.push_back(edge_place(triangle, p, q, e, k));
-  return places;
-}
-
 Elements::Elements(std::string bytes, std::string_view basis, std::string_view numbers)
     : bytes_(std::move(bytes)),
       binary64_(numbers == "binary64"),
@@ -64,20 +58,15 @@ Elements::Elements(std::string bytes, std::string_view basis, std::string_view n
   if (shapes_.empty()) throw Malformed{"elements file: no triangles, no quadrilaterals"};
 }
 
-std::vector<std::uint32_t> Elements::edge_nodes(std::size_t i, std::size_t e) const {
-  std::vector<std::uint32_t> found;
-  for (const std::size_t k : edge_positions(shapes_[i].triangle, shapes_[i].p, shapes_[i].q, e))
-    found.push_back(nodes(i)[k]);
-  return found;
-}
-
 mpz_class Elements::scaled(std::initializer_list<const Column*> columns, std::size_t i, Integers& all) const {
   std::vector<double> doubles;
   std::vector<mpq_class> exact;
+  const std::uint32_t* const places = &nodes_[shapes_[i].first];
+  const std::size_t count = point_count(shapes_[i].triangle, shapes_[i].p, shapes_[i].q);
   for (const Column* column : columns)
-    for (const std::uint32_t place : nodes(i))
-      binary64_ ? doubles.push_back(column->doubles[place])
-                : exact.push_back(exact_number(column->texts[place], json_));
+    for (std::size_t k = 0; k < count; ++k)
+      binary64_ ? doubles.push_back(column->doubles[places[k]])
+                : exact.push_back(exact_number(column->texts[places[k]], json_));
   return binary64_ ? scale(doubles, all) : scale(exact, all);
 }
 

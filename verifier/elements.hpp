@@ -4,7 +4,6 @@
 #include "polynomial.hpp"
 
 #include <cstdint>
-#include <span>
 
 namespace verifier {
 
@@ -20,6 +19,11 @@ struct Element {
   mpz_class unit;
 };
 
+/// The place, in Element's order, of the k-th point of edge e, from its first corner on, of the `ring`-th
+/// ring of points (0: the boundary).
+std::size_t edge_place(bool triangle, std::size_t p, std::size_t q, std::size_t e, std::size_t k,
+                       std::size_t ring = 0);
+
 /// A file read whole. Exact numbers stay texts until an element is asked for.
 class Elements {
  public:
@@ -33,13 +37,13 @@ class Elements {
   bool lagrange(std::size_t i) const { return shapes_[i].lagrange; }
   /// Whether corners are one vertex by common nodes; else by equal points.
   bool glued_by_nodes() const { return glued_by_nodes_; }
-  /// The places (in the file's list of points) of the element's points, in the order of Element.
-  std::span<const std::uint32_t> nodes(std::size_t i) const {
-    const Shape& s = shapes_[i];
-    return {nodes_.data() + s.first, point_count(s.triangle, s.p, s.q)};
+  std::size_t edge_degree(std::size_t i, std::size_t e) const {
+    return e % 2 == 0 ? shapes_[i].p : shapes_[i].q;
   }
-  /// Those along an edge, from its first corner to the next.
-  std::vector<std::uint32_t> edge_nodes(std::size_t i, std::size_t e) const;
+  /// The place, in the file's list of points, of the k-th point of edge e, from its first corner on.
+  std::uint32_t edge_node(std::size_t i, std::size_t e, std::size_t k) const {
+    return nodes_[shapes_[i].first + edge_place(shapes_[i].triangle, shapes_[i].p, shapes_[i].q, e, k)];
+  }
 
  private:
   struct Shape {
@@ -64,12 +68,5 @@ class Elements {
 
 /// SHA-256 in lower-case hex.
 std::string sha256(std::string_view bytes);
-
-/// The place, in Element's order, of the k-th point of edge e, from its first corner on, of the `ring`-th
-/// ring of points (0: the boundary).
-std::size_t edge_place(bool triangle, std::size_t p, std::size_t q, std::size_t e, std::size_t k,
-                       std::size_t ring = 0);
-/// The places of all points of edge e, from its first corner to the next.
-std::vector<std::size_t> edge_positions(bool triangle, std::size_t p, std::size_t q, std::size_t e);
 
 }  // namespace verifier

@@ -60,8 +60,10 @@ std::vector<Curve> edge_curves(const Element& e) {
              w = form(map.w, e.triangle, e.p, e.q);
   std::vector<Curve> edges(e.triangle ? 3 : 4);
   for (std::size_t k = 0; k < edges.size(); ++k)
-    for (const std::size_t i : edge_positions(e.triangle, e.p, e.q, k))
+    for (int j = 0; j <= (k % 2 == 0 ? e.p : e.q); ++j) {
+      const std::size_t i = edge_place(e.triangle, e.p, e.q, k, j);
       edges[k].x.push_back(x.c[i]), edges[k].y.push_back(y.c[i]), edges[k].w.push_back(w.c[i]);
+    }
   return edges;
 }
 

@@ -17,7 +17,7 @@ Surface::Surface(const Elements& of) : elements(of) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(elements.corner_count(i)); ++k) {
       const Use u = uses.emplace_back(static_cast<Use>(4 * i + k));
       const auto corner = [&] { return element_point(e, edge_place(e.triangle, e.p, e.q, k, 0)); };
-      vertex[u] = by_nodes ? elements.edge_nodes(i, k)[0]
+      vertex[u] = by_nodes ? elements.edge_node(i, k, 0)
                            : points.emplace(corner(), static_cast<Index>(points.size())).first->second;
     }
   }
@@ -25,9 +25,12 @@ Surface::Surface(const Elements& of) : elements(of) {
 
 void Surface::glue() {
   const auto same_nodes = [&](Use u, Use v) {
-    const auto a = elements.edge_nodes(u / 4, u % 4), b = elements.edge_nodes(v / 4, v % 4);
-    return elements.lagrange(u / 4) == elements.lagrange(v / 4) &&
-           std::equal(a.begin(), a.end(), b.rbegin(), b.rend());
+    const std::size_t n = elements.edge_degree(u / 4, u % 4);
+    bool same =
+        n == elements.edge_degree(v / 4, v % 4) && elements.lagrange(u / 4) == elements.lagrange(v / 4);
+    for (std::size_t k = 0; k <= n && same; ++k)
+      same = elements.edge_node(u / 4, u % 4, k) == elements.edge_node(v / 4, v % 4, n - k);
+    return same;
   };
   std::vector<std::pair<std::pair<Index, Index>, Use>> sorted;
   for (const Use u : uses) sorted.push_back({std::minmax<Index>({begin(u), end(u)}), u});

@@ -228,6 +228,11 @@ refuted("gap-exchanged", crack, ck, "gap 2.0 1.2 1/3")
 good("embedding-crack-is-a-hole", crack, ck, "undecided")
 for label, claim in (("at-end", "gap 1.2 2.0 0"), ("other-use", "gap 1.0 2.0 1/2"), ("outside", "gap 1.2 2.0 3/2"), ("same", "gap 1.2 1.2 1/2"), ("at-other-end", "gap 1.2 2.0 1")):
     not_refuted("gap-" + label, crack, ck, claim)
+# An edge that is not regular at its begin, (4 - 4 t^2, 4 - 4 t^2): perhaps it is the one that runs along it.
+irregular = elements_file("irregular-edge.msh", msh22(points("0,0 4,0 4,4 0,4 2,0 4,2 4,4 2,4 0,2 2,2"), ["9 1 2 3 5 6 7", "9 1 3 4 10 8 9"]))
+ci = ["undecided", "injective coefficients midpoint"]
+not_refuted("touch-irregular", irregular, ci, "touch at 1.2 1/2 2.0 3/4", basis="bernstein")
+refuted("element-irregular", irregular, ["invalid at 0 1", ci[1]], "element 1", basis="bernstein")
 wide = elements_file("lens-hole.msh", msh22(points("0,0 4,0 4,4 0,4 2,0 4,2 2.5,1.5 2,4 0,2 1.5,2.5"), ["9 1 2 3 5 6 7", "9 1 3 4 10 8 9"]))
 not_refuted("gap-far", wide, claims_of(wide), "gap 1.2 2.0 1/2")
 
