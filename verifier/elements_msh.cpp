@@ -51,10 +51,11 @@ struct Lines {
   }
   /// The next field; empty if there is none.
   std::string_view field() {
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
-    const std::string_view found = rest.substr(0, rest.find_first_of(" \t"));
-    rest.remove_prefix(found.size());
-    return found;
+    const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+    const auto begin = std::find_if_not(rest.begin(), rest.end(), blank);
+    const auto end = std::find_if(begin, rest.end(), blank);
+    rest = {end, rest.end()};
+    return {begin, end};
   }
   std::string_view text() {
     const std::string_view found = field();
@@ -118,7 +119,11 @@ void Elements::read_msh(bool lagrange) {
     for (std::uint64_t i = 0; i < size; ++i) {
       in.record();
       if (!version4) read_tag();
-      for (auto* texts : {&x_, &y_, &z}) texts->push_back(in.text());
+      for (Column* column : {&x_, &y_}) {
+        const std::string_view text = in.text();
+        binary64_ ? column->doubles.push_back(nearest_double(text)) : column->texts.push_back(text);
+      }
+      z.push_back(in.text());
       in.skip(parametric ? dimension : 0), in.end();
     }
   };
@@ -126,6 +131,12 @@ void Elements::read_msh(bool lagrange) {
     std::sort(tags.begin(), tags.end());
     const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
     if (std::adjacent_find(tags.begin(), tags.end(), same) != tags.end()) in.fail("a node tag occurs twice");
+  };
+  const auto node_of = [&](std::uint64_t tag) {
+    if (tag - 1 < tags.size() && tags[tag - 1].first == tag) return tags[tag - 1].second;  // mostly 1, 2, ...
+    const auto node = std::lower_bound(tags.begin(), tags.end(), std::pair{tag, std::uint32_t{0}});
+    if (node == tags.end() || node->first != tag) in.fail("no such node");
+    return node->second;
   };
   const auto number = [&](std::string_view text) {
     return binary64_ ? mpq_class(nearest_double(text)) : exact_number(text, false);
@@ -147,11 +158,9 @@ void Elements::read_msh(bool lagrange) {
     if (order.empty()) order = node_order(triangle, n);
     nodes_.resize(nodes_.size() + order.size());
     for (const std::size_t k : order) {
-      const std::uint64_t tag = in.number();
-      const auto node = std::lower_bound(tags.begin(), tags.end(), std::pair{tag, std::uint32_t{0}});
-      if (node == tags.end() || node->first != tag) in.fail("no such node");
-      nodes_[shapes_.back().first + k] = node->second;
-      const std::string_view height = z[node->second];
+      const std::uint32_t node = node_of(in.number());
+      nodes_[shapes_.back().first + k] = node;
+      const std::string_view height = z[node];
       if (plane.empty()) plane = height;
       if (height != plane && number(height) != number(plane)) in.fail("surface nodes of different z");
     }

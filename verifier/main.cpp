@@ -1,8 +1,8 @@
 // verifier ELEMENTS CERTIFICATE: holds every line of the certificate against its rule; exit code 0 if all
 // hold.
-#include "mesh_rules.hpp"
-#include "sha256.hpp"
+#include "rules.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_characters = std::size_t{1} << 26;    // of a line
 constexpr std::size_t most_number_bytes = std::size_t{1} << 25;  // 2^28 bits
+constexpr std::size_t least_number_bytes = 24;                   // there is room for so many at least
 constexpr std::size_t most_bytes = std::size_t{1} << 31;         // of all numbers together
 
 /// The certificate, line by line.
@@ -50,20 +51,27 @@ struct Certificate {
   std::_Exit(code);
 }
 
-// Memory of GMP, counted. GMP cannot give up, so this leaves the program.
+// Memory of GMP, counted. GMP cannot give up, so this leaves the program. Small blocks are kept for the next
+// number.
 std::size_t bytes_in_use = 0;
+auto& spare = *new std::vector<void*>;  // never destroyed
 void* reallocate(void* memory, std::size_t old_size, std::size_t new_size) {
   bytes_in_use += new_size - old_size;
   if (new_size > most_number_bytes) leave(2, "limit: a number of more than 2^28 bits");
   if (bytes_in_use > most_bytes) leave(2, "limit: numbers of more than 2 GiB");
-  memory = std::realloc(memory, new_size);
+  if (memory != nullptr && std::max(old_size, new_size) <= least_number_bytes) return memory;
+  memory = std::realloc(memory, std::max(new_size, least_number_bytes));
   if (memory == nullptr) leave(2, "limit: no memory");
   return memory;
 }
-void* allocate(std::size_t size) { return reallocate(nullptr, 0, size); }
+void* allocate(std::size_t size) {
+  void* block = nullptr;
+  if (size <= least_number_bytes && !spare.empty()) block = spare.back(), spare.pop_back();
+  return reallocate(block, 0, size);
+}
 void release(void* memory, std::size_t size) {
   bytes_in_use -= size;
-  std::free(memory);
+  size <= least_number_bytes ? spare.push_back(memory) : std::free(memory);
 }
 
 std::string read_file(const std::string& path) {

@@ -5,7 +5,7 @@
 
 namespace verifier {
 
-std::size_t limbs(const std::vector<mpz_class>& c) {
+std::size_t limbs(const Integers& c) {
   std::size_t most = 1;
   for (const mpz_class& x : c) most = std::max(most, mpz_size(x.get_mpz_t()));
   return most;
@@ -15,33 +15,42 @@ std::size_t product_work(std::size_t a, std::size_t b) {
   return 8 + std::max(a, b) * std::min<std::size_t>(std::min(a, b), 32);
 }
 
+mpq_class fraction(const mpz_class& a, const mpz_class& b) {
+  spend(1024 * (1 + mpz_size(a.get_mpz_t()) + mpz_size(b.get_mpz_t())));  // a gcd
+  mpq_class value(a, b);
+  value.canonicalize();
+  return value;
+}
+
 // The changes of basis are triangles of additions, as Pascal's.
-static void spend_triangle(const std::vector<mpz_class>& c) {
-  spend(c.size() * c.size() * (limbs(c) + c.size() / 64));
+static void spend_triangle(Line c) {
+  std::size_t most = 1;
+  for (int k = 0; k < c.size; ++k) most = std::max(most, mpz_size(c[k].get_mpz_t()));
+  const auto size = static_cast<std::size_t>(c.size);
+  spend(size * size * (most + size / 64));
 }
 
-void shear(std::vector<mpz_class>& c) {
+void shear(Line c, bool minus) {
   spend_triangle(c);
-  for (std::size_t end = c.size(); end > 1; --end)
-    for (std::size_t k = 1; k < end; ++k) c[k] += c[k - 1];
+  for (int end = c.size; end > 1; --end)
+    for (int k = 1; k < end; ++k) minus ? c[k] -= c[k - 1] : c[k] += c[k - 1];
 }
 
-void differences(std::vector<mpz_class>& c) {
+void differences(Line c) {
   spend_triangle(c);
-  for (std::size_t first = 1; first < c.size(); ++first)
-    for (std::size_t k = c.size(); k-- > first;) c[k] -= c[k - 1];
+  for (int first = 1; first < c.size; ++first)
+    for (int k = c.size - 1; k >= first; --k) c[k] -= c[k - 1];
 }
 
-void newton_to_power(std::vector<mpz_class>& c, int degree, int unit) {
-  const int n = static_cast<int>(c.size());
+void newton_to_power(Line c, int degree, int unit) {
   mpz_class factor = 1;
   for (int k = degree; k >= 0; factor *= k--)
-    if (k < n) c[k] *= factor;
+    if (k < c.size) c[k] *= factor;
   spend_triangle(c);
-  for (int m = n - 2; m > 0; --m)
-    for (int k = m; k < n - 1; ++k) mpz_submul_ui(c[k].get_mpz_t(), c[k + 1].get_mpz_t(), m);
+  for (int m = c.size - 2; m > 0; --m)
+    for (int k = m; k < c.size - 1; ++k) mpz_submul_ui(c[k].get_mpz_t(), c[k + 1].get_mpz_t(), m);
   factor = 1;
-  for (int k = 0; k < n; ++k, factor *= unit) c[k] *= factor;
+  for (int k = 0; k < c.size; ++k, factor *= unit) c[k] *= factor;
 }
 
 std::array<int, 3> degrees(const Polynomial2& f) {
@@ -102,6 +111,14 @@ Polynomial2 derivative(const Polynomial2& f, bool by_v) {
   return d;
 }
 
+Polynomial2 exchanged(const Polynomial2& f) {
+  Polynomial2 result(degrees(f)[0] + 1, Polynomial(f.size()));
+  for (std::size_t j = 0; j < f.size(); ++j)
+    for (std::size_t i = 0; i < f[j].size(); ++i) result[i][j] = f[j][i];
+  trim(result);
+  return result;
+}
+
 Polynomial compose(const Polynomial& f, int degree, const RationalPolynomial& u) {
   require(std::ssize(f) <= degree + 1, "degree");
   Polynomial result, power{1};  // of the denominator
@@ -123,36 +140,48 @@ Polynomial compose(const Polynomial2& f, const RationalPolynomial& u, const Rati
   return result;
 }
 
-mpz_class value(const Polynomial& f, const mpq_class& x) {
-  const Polynomial at_x = compose(f, static_cast<int>(f.size()), {{x.get_num()}, x.get_den()});
-  return at_x.empty() ? mpz_class(0) : at_x[0];
+Form form(const Polynomial2& f, bool triangle, int p, int q) {
+  const auto [f_u, f_v, f_total] = degrees(f);
+  require(triangle ? f_total <= p && p == q : f_u <= p && f_v <= q, "degree");
+  Form result{triangle, p, q};
+  for (int j = 0; j < std::ssize(f); ++j) std::copy(f[j].begin(), f[j].end(), &result.c[result.at(0, j)]);
+  for (const bool along_v : {false, true})
+    result.lines(along_v, [](Line line) { shear(line); });  // 1 = (1 - u - v) + u + v
+  return result;
 }
+
+RationalPolynomial constant(const mpq_class& x) { return {{x.get_num()}, x.get_den()}; }
 
 RationalPolynomial onto(const mpq_class& low, const mpq_class& high) {
   const mpz_class m = lcm(low.get_den(), high.get_den()), begin = m / low.get_den() * low.get_num();
   return {{begin, m / high.get_den() * high.get_num() - begin}, m};
 }
 
-// On [0, 1]: 1 = (1 - x) + x is put into the homogeneous polynomial; what results has binomials as factors.
-std::vector<mpz_class> bernstein(const Polynomial& f, int degree, const mpq_class& low,
-                                 const mpq_class& high) {
-  std::vector<mpz_class> c = compose(f, degree, onto(low, high));
-  c.resize(degree + 1);
-  shear(c);
+// On [0, 1]: 1 = (1 - x) + x is put into the homogeneous polynomial.
+Integers bernstein(const Polynomial& f, const mpq_class& low, const mpq_class& high) {
+  if (f.empty()) return {0};
+  Integers c = compose(f, static_cast<int>(f.size()) - 1, onto(low, high));
+  c.resize(f.size());
+  shear(line(c));
   return c;
 }
 
-Polynomial remainder(Polynomial f, const Polynomial& m) {
+int sign_at(const Polynomial& f, const mpq_class& x) { return sgn(bernstein(f, x, x)[0]); }
+
+bool one_strict_sign(const Integers& c) {
+  return std::all_of(c.begin(), c.end(), [&](const mpz_class& z) { return sgn(z) * sgn(c[0]) > 0; });
+}
+
+bool divisible(Polynomial f, const Polynomial& m) {
+  if (m.empty()) return false;
   for (trim(f); f.size() >= m.size(); trim(f)) {
     spend(2 * f.size() * product_work(limbs(f), limbs(m)));
     const mpz_class top = f.back();
     for (mpz_class& c : f) c *= m.back();
     for (std::size_t i = 0; i < m.size(); ++i) f[f.size() - m.size() + i] -= top * m[i];
   }
-  return f;
+  return f.empty();
 }
-
-bool divisible(const Polynomial& f, const Polynomial& m) { return !m.empty() && remainder(f, m).empty(); }
 
 // Bareiss: every intermediate entry is a minor, so the divisions are exact.
 static mpz_class determinant(std::vector<Polynomial> a) {
@@ -183,7 +212,7 @@ Polynomial resultant(const Polynomial2& f, int n, const Polynomial2& g, int m) {
   const RationalPolynomial v{{0, 1}, 1};
   Polynomial r;
   for (int u = 0; u <= degree; ++u) {
-    const Polynomial f_at = compose(f, {{u}, 1}, v), g_at = compose(g, {{u}, 1}, v);
+    const Polynomial f_at = compose(f, constant(u), v), g_at = compose(g, constant(u), v);
     std::vector<Polynomial> sylvester(n + m, Polynomial(n + m));
     for (int row = 0; row < n + m; ++row) {
       const Polynomial& h = row < m ? f_at : g_at;
@@ -191,8 +220,8 @@ Polynomial resultant(const Polynomial2& f, int n, const Polynomial2& g, int m) {
     }
     r.push_back(determinant(std::move(sylvester)));
   }
-  differences(r);
-  newton_to_power(r, degree, 1);
+  differences(line(r));
+  newton_to_power(line(r), degree, 1);
   trim(r);
   return r;
 }

@@ -1,7 +1,5 @@
 // SHA-256 (FIPS 180-4). Its constants: the first 32 bits of the fractions of roots of the first primes.
-#include "sha256.hpp"
-
-#include <gmpxx.h>
+#include "elements.hpp"
 
 #include <array>
 #include <bit>

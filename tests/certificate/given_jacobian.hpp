@@ -8,7 +8,7 @@
 #include "bezcert/element/element.hpp"
 #include "bezcert/number/scaled.hpp"
 
-#include "element_rules.hpp"
+#include "rules.hpp"
 
 #include <algorithm>
 #include <string>

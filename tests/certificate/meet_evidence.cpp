@@ -3,7 +3,7 @@
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
-#include "element_rules.hpp"
+#include "rules.hpp"
 #include "verified_curves.hpp"
 
 #include <catch2/catch.hpp>
@@ -78,15 +78,15 @@ TEST_CASE("the corpus has evidence for every overlapping element") {
     CHECK(meet_evidence(exact, *decision.overlap) == text);
     ++kinds[text->substr(0, text->find(' '))];
     const verifier::Elements elements(bytes, "mixed", "decimal");
-    const verifier::Element other = elements.element(0);
+    const std::vector<verifier::Curve> edges = verifier::edge_curves(elements.element(0));
     CHECK(refusal_of(*text, [&](verifier::Tokens& tokens) {
-            const verifier::Meet meet = verifier::read_meet(tokens, false);
-            const int edges = other.triangle ? 3 : 4, i = meet.first.edge, j = meet.second.edge;
-            verifier::MeetContext context{
-                verifier::edge_curve(other, i), verifier::edge_curve(other, j), i == j, {}};
-            context.common[1][0] = (i + 1) % edges == j;
-            context.common[0][1] = (j + 1) % edges == i;
-            verifier::check_meet(meet, context);
+            verifier::check_meet(tokens, false, [&](const auto& first, const auto& second) {
+              const auto i = static_cast<std::size_t>(first.edge), j = static_cast<std::size_t>(second.edge);
+              verifier::MeetingEdges meeting{edges.at(i), edges.at(j), i == j, {}};
+              meeting.common[1][0] = (i + 1) % edges.size() == j;
+              meeting.common[0][1] = (j + 1) % edges.size() == i;
+              return meeting;
+            });
           }) == "");
   }
   CHECK(count >= 17);

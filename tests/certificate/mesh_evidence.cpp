@@ -5,7 +5,7 @@
 #include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
-#include "mesh_rules.hpp"
+#include "rules.hpp"
 #include "random_input.hpp"
 
 #include <catch2/catch.hpp>

@@ -157,7 +157,7 @@ TEST_CASE("the corpus has evidence for every simple boundary") {
     const verifier::Elements elements(bytes, "mixed", "decimal");
     CHECK(refusal_of(*text, [&](verifier::Tokens& tokens) {
             CHECK(tokens.accept("boundary"));
-            verifier::check_boundary(tokens, elements.element(0));
+            verifier::check_boundary(tokens, verifier::edge_curves(elements.element(0)));
           }) == "");
   }
   CHECK(count > 50);

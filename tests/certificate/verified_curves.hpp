@@ -4,7 +4,7 @@
 #include "refusal.hpp"
 
 #include "bezcert/certificate/meet_evidence.hpp"
-#include "pair_rules.hpp"
+#include "rules.hpp"
 
 #include <array>
 #include <string>
@@ -45,7 +45,11 @@ inline DyadicCurve dyadic(const CurveNet<Integer>& net, bool filter) {
 inline verifier::Curve as_verifier(const CurveNet<Integer>& net) {
   const auto copy = [](const std::vector<Integer>& values) {
     std::vector<mpz_class> result;
-    for (const Integer& value : values) result.emplace_back(value.str());
+    mpz_class binomial = 1;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      result.emplace_back(mpz_class(values[i].str()) * binomial);
+      binomial = binomial * mpz_class(values.size() - 1 - i) / mpz_class(i + 1);
+    }
     return result;
   };
   return {copy(net.x), copy(net.y), copy(net.w)};
@@ -62,13 +66,14 @@ inline std::string refusal_of_pair(const std::string& text, const CurveNet<Integ
 inline std::string refusal_of_meet(const std::string& text, const CurveNet<Integer>& a,
                                    const CurveNet<Integer>& b, const CommonPlaces& common) {
   return refusal_of(text, [&](verifier::Tokens& tokens) {
-    const verifier::Meet meet = verifier::read_meet(tokens, false);
-    const bool exchanged = meet.first.edge == 1;
-    verifier::MeetContext context{as_verifier(exchanged ? b : a), as_verifier(exchanged ? a : b), false, {}};
-    for (const int i : {0, 1}) {
-      for (const int j : {0, 1}) context.common[i][j] = exchanged ? common.ends[j][i] : common.ends[i][j];
-    }
-    verifier::check_meet(meet, context);
+    verifier::check_meet(tokens, false, [&](const verifier::EdgeName& name, const verifier::EdgeName&) {
+      const bool exchanged = name.edge == 1;
+      verifier::MeetingEdges edges{as_verifier(exchanged ? b : a), as_verifier(exchanged ? a : b), false, {}};
+      for (const int i : {0, 1}) {
+        for (const int j : {0, 1}) edges.common[i][j] = exchanged ? common.ends[j][i] : common.ends[i][j];
+      }
+      return edges;
+    });
   });
 }
 

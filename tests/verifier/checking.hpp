@@ -2,8 +2,7 @@
 // compared with the program's by example_test.
 #pragma once
 
-#include "mesh_rules.hpp"
-#include "sha256.hpp"
+#include "rules.hpp"
 
 #include <string>
 #include <string_view>

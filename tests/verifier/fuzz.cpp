@@ -189,7 +189,7 @@ class Mutator {
                                                      "gap",
                                                      "pinch",
                                                      "cover",
-                                                     "glue",
+                                                     "midpoint",
                                                      "pair"};
     const auto tokens = tokens_of(text);
     const auto replace = [&](const std::string& with) {

@@ -32,7 +32,7 @@ inline const std::vector<std::vector<std::string>>& word_classes() {
   static const std::vector<std::vector<std::string>> classes = [] {
     std::vector<std::vector<std::string>> result;
     for (const char* line : {"injective regular overlapping degenerate folded reversed invalid undecided",
-                             "coefficients tree factors columns", "midpoint hull orientation boundary",
+                             "coefficients tree factors columns hull", "midpoint hull orientation boundary",
                              "none + -", "m h s j a b r", "open root slab", "at root cross",
                              "undecided embedding refuted", "element cover touch pinch gap", "glue pair end",
                              "u v", "lagrange bernstein mixed", "binary64 decimal"}) {

@@ -14,10 +14,10 @@ namespace {
 
 using Evidence = std::optional<std::string>;
 
+// For SIGN; "orientation", a criterion, is not among the rules.
 Evidence injective_evidence(const Forms& forms, const Decision& decision) {
-  if (decision.injectivity_proof == "jacobian_hull") return "hull";
-  if (decision.injectivity_proof == "boundary") return boundary_evidence(forms);
-  return std::string(decision.injectivity_proof);
+  if (decision.injectivity_proof == "midpoint") return "midpoint";
+  return boundary_evidence(forms);
 }
 
 // "u v", without what the barycentric coordinates have too much.
@@ -25,6 +25,9 @@ std::string uv_text(const Parameter& parameter) {
   const std::size_t first = parameter.size() - 2;
   return to_string(parameter[first]) + ' ' + to_string(parameter[first + 1]);
 }
+
+// The hull condition shows det J > 0 as well.
+ElementClaim hull_claim() { return {"injective hull", ElementState::injective, true}; }
 
 // det J <= 0 somewhere, if nothing more can be shown.
 ElementClaim invalid_claim(const Forms& forms, const Decision& decision) {
@@ -38,6 +41,7 @@ ElementClaim invalid_claim(const Forms& forms, const Decision& decision) {
 }
 
 ElementClaim regular_claim(const Forms& forms, const Decision& decision) {
+  if (decision.injectivity_proof == "jacobian_hull") return hull_claim();
   const Evidence positive = sign_evidence(forms, decision, WantedSign::positive);
   if (!positive) return {};
   const bool is_regular = decision.verdict == ElementVerdict::regular;
@@ -96,12 +100,12 @@ ElementClaim claim_of(const Element& element, const Decision& decision) {
 }  // namespace
 
 ElementClaim claim_of(const Mesh& mesh, std::size_t i, const Decision& decision) {
-  // The ordinary case needs no element.
-  if (decision.verdict == ElementVerdict::injective && decision.sign_proof == "coefficients" &&
-      decision.injectivity_proof != "boundary") {
-    const std::string proof(decision.injectivity_proof == "jacobian_hull" ? "hull"
-                                                                          : decision.injectivity_proof);
-    return {"injective coefficients " + proof, ElementState::injective, true};
+  // The ordinary cases need no element.
+  if (decision.verdict == ElementVerdict::injective) {
+    if (decision.injectivity_proof == "jacobian_hull") return hull_claim();
+    if (decision.injectivity_proof == "midpoint" && decision.sign_proof == "coefficients") {
+      return {"injective coefficients midpoint", ElementState::injective, true};
+    }
   }
   return claim_of(mesh.element(i), decision);
 }

@@ -2,7 +2,6 @@
 
 #include "bezcert/certificate/pair_evidence.hpp"
 #include "bezcert/certificate/refutation.hpp"
-#include "bezcert/curve/same_curve.hpp"
 #include "bezcert/mesh/box_sweep.hpp"
 
 #include <algorithm>
@@ -12,23 +11,12 @@
 namespace bezcert {
 namespace {
 
-// Whether the control points are equal, in the same degree, and the weights proportional.
-bool have_equal_points(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a.w[i] * b.w[0] != b.w[i] * a.w[0]) return false;
-    if (a.x[i] * b.w[i] != b.x[i] * a.w[i] || a.y[i] * b.w[i] != b.y[i] * a.w[i]) return false;
-  }
-  return true;
-}
-
 class EmbeddingWriter {
  public:
   EmbeddingWriter(const Mesh& mesh, const MeshSurface& surface) : edges_(mesh), surface_(surface) {}
 
   // Lines are kept until the last is known to exist: only then is it an embedding that is claimed.
   bool run(std::ostream& stream) {
-    glue_lines();
     if (!pair_lines()) return false;
     stream << "mesh embedding\n";
     for (const std::string& line : lines_) stream << line << '\n';
@@ -36,24 +24,6 @@ class EmbeddingWriter {
   }
 
  private:
-  bool have_equal_nodes(EdgeUse a, EdgeUse b) const {
-    return edges_.basis(a) == edges_.basis(b) && edges_.nodes(a) == edges_.nodes(b).reversed();
-  }
-
-  // For edges that are one curve, but not in the same words.
-  void glue_lines() {
-    for (EdgeUse use = 0; use < edges_.count(); ++use) {
-      const EdgeUse twin = surface_.gluing.twin[use];
-      if (twin == no_edge || twin < use || have_equal_nodes(use, twin)) continue;
-      const CurveNet<Integer> a = edges_.exact(use), b = reversed(edges_.exact(twin));
-      if (have_equal_points(a, b)) continue;
-      const std::optional<ParameterChange> change = parameter_change(a, b);
-      if (!change) throw std::logic_error("certificate: edges are glued that are not one curve");
-      lines_.push_back("glue " + edge_name(edges_, use) + ' ' + edge_name(edges_, twin) + ' ' +
-                       std::to_string(change->exponent) + ' ' + to_string(change->power));
-    }
-  }
-
   bool pair_lines() {
     std::vector<EdgeUse> uses;
     std::vector<Box> boxes;

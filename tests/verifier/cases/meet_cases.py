@@ -27,7 +27,7 @@ for name, meet in {
     bad("overlapping-" + name, cross1, f"overlapping {s1} {meet}")
 # root: x = sqrt 2; the parameters of the node are 1/2 +- x / 4.
 for name, meet in {
-        "one-place": "root -2,0,1 1 2 0 2,1/4 0 2,1/4", "other-parameter": "root -2,0,1 1 2 0 2,1/4 0 3,-1/4", "no-root": "root -2,0,1 3/2 2 0 2,1/4 0 2,-1/4",
+        "no-m": "root 1 2 0 2,1/4 0 2,-1/4", "one-place": "root -2,0,1 1 2 0 2,1/4 0 2,1/4", "other-parameter": "root -2,0,1 1 2 0 2,1/4 0 3,-1/4", "no-root": "root -2,0,1 3/2 2 0 2,1/4 0 2,-1/4",
         "wide": "root -2,0,1 1 5/2 0 2,1/4 0 2,-1/4", "wide-low": "root -2,0,1 -1 2 0 2,1/4 0 2,-1/4",
         "with-zero": "root -2,0,1 0 2 0 2,1/4 0 2,-1/4", "both-signs": "root -2,0,1 -1 3/2 0 2,1/4 0 2,-1/4",
         "other-edge": "root -2,0,1 1 2 0 2,1/4 2 2,-1/4", "degree-one": "root -3,2 1 2 0 2,1/4 0 2,-1/4"}.items():

@@ -131,12 +131,24 @@ def check_boundary(tokens, edges):
             check_pair(tokens, edges[i], edges[j], ({"eb"} if j == i + 1 else set()) | ({"be"} if (j + 1) % m == i else set()))
 
 
+def check_root(m, low, high):
+    require(len(m) >= 3, "root: degree")
+    require(low < high, "root: interval")
+    require(P.value1(m, low) * P.value1(m, high) < 0, "root: signs")
+
+
+def nonnegative(f, m, low, high):
+    return P.divides(m, f) or all(c >= 0 for c in P.bernstein1(f, low, high))
+
+
 Meet = namedtuple("Meet", "kind first second numbers")
 
 
 def read_meet(tokens, in_mesh, edges=4):
     kind = tokens.rule(["at", "root", "cross"])
     numbers = [tokens.polynomial(), tokens.rational(), tokens.rational()] if kind == "root" else []
+    if kind == "root":
+        check_root(*numbers)
     places = []
     for _ in range(2):
         places.append(tokens.edge() if in_mesh else (0, tokens.small(0, edges - 1)))
@@ -170,8 +182,6 @@ def check_meet(meet, a, b, same, common):
         require(not any(s == i and t == j for i, j in common), "at: common corner")
     elif meet.kind == "root":
         m, low, high, s, t = x
-        from element_rules import check_root, nonnegative
-        check_root(m, low, high)
         for F in contact_polynomials(a, b):
             require(P.divides(m, P.compose21(F, s, t)), "root: images")
         for f in (s, t):

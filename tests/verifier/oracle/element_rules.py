@@ -3,7 +3,7 @@ from fractions import Fraction as Q
 from itertools import combinations
 
 import polynomials as P
-from curves import check_boundary, cross, check_meet, read_meet
+from curves import check_boundary, check_meet, check_root, cross, nonnegative, read_meet
 from tokens import Rejected, integer, require, well
 
 ONE = {(0, 0): Q(1)}
@@ -197,16 +197,6 @@ def in_domain_values(u, v, triangle):
     return [u, v, P.add1(P.add1(one, u, -1), v, -1)] if triangle else [u, v, P.add1(one, u, -1), P.add1(one, v, -1)]
 
 
-def check_root(m, low, high):
-    require(len(m) >= 3, "root: degree")
-    require(low < high, "root: interval")
-    require(P.value1(m, low) * P.value1(m, high) < 0, "root: signs")
-
-
-def nonnegative(f, m, low, high):
-    return P.divides(m, f) or all(c >= 0 for c in P.bernstein1(f, low, high))
-
-
 def check_zero(tokens, element, wanted=lambda n: n == 0):
     rule = tokens.rule(["at", "root"])
     if rule == "at":
@@ -215,8 +205,8 @@ def check_zero(tokens, element, wanted=lambda n: n == 0):
         require(wanted(P.value2(element.N, u, v)), "at: N")
         return
     m, low, high = tokens.polynomial(), tokens.rational(), tokens.rational()
-    u, v = tokens.rational_polynomial(), tokens.rational_polynomial()
     check_root(m, low, high)
+    u, v = tokens.rational_polynomial(), tokens.rational_polynomial()
     require(P.divides(m, P.compose21(element.N, u, v)), "root: N")
     for f in in_domain_values(u, v, element.triangle):
         require(nonnegative(f, m, low, high), "root: outside")
@@ -240,29 +230,10 @@ def hull_holds(element):
         cross(A[i], B[j]) + cross(A[j], B[i]) >= 0 for i, j in combinations(range(len(A)), 2))
 
 
-def orientation_holds(element):
-    n = element.p
-    point = {k: (element.h[0][k] / element.h[2][k], element.h[1][k] / element.h[2][k]) for k in element.indices}
-    corners = [{(0, 0), (1, 0), (0, 1)}, {(n, 0), (n - 1, 1), (n - 1, 0)}, {(0, n), (0, n - 1), (1, n - 1)}]
-    for a, b, c in combinations(element.indices, 3):
-        index = cross((b[0] - a[0], b[1] - a[1]), (c[0] - a[0], c[1] - a[1]))
-        if index == 0:
-            continue
-        p, q, r = point[a], point[b], point[c]
-        image = cross((q[0] - p[0], q[1] - p[1]), (r[0] - p[0], r[1] - p[1]))
-        if image * index < 0 or (image == 0 and {a, b, c} in corners):
-            return False
-    return True
-
-
 def check_injective(tokens, element):
-    rule = tokens.rule(["midpoint", "hull", "orientation", "boundary"])
+    rule = tokens.rule(["midpoint", "boundary"])
     if rule == "midpoint":
         require(not element.rational and (element.p <= 2 if element.triangle else element.p == element.q == 1), "midpoint")
-    elif rule == "hull":
-        require(hull_holds(element), "hull")
-    elif rule == "orientation":
-        require(element.triangle and orientation_holds(element), "orientation")
     else:
         check_boundary(tokens, [element.edge(e) for e in range(element.edges)])
 
@@ -273,6 +244,11 @@ CLAIMS = ["injective", "regular", "overlapping", "degenerate", "folded", "revers
 def check_element(tokens, element):
     claim = tokens.rule(CLAIMS)
     sign = lambda f, strict: check_sign(tokens, f, element.triangle, element.N_degree, strict)
+    if claim == "injective" and tokens.tokens[tokens.at:tokens.at + 1] == ["hull"]:
+        tokens.rule(["hull"])
+        require(hull_holds(element), "hull")
+        tokens.end()
+        return claim
     if claim in ("injective", "regular", "overlapping"):
         sign(element.N, True)
     if claim == "injective":

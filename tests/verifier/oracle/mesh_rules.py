@@ -105,7 +105,7 @@ class Mesh:
             if a == b or u in self.mate:
                 continue
             for w in by_ends.get((b, a), []):
-                if w not in self.mate and self.same(u, w):
+                if w not in self.mate and (self.same(u, w) or self.one_edge(u, w)):
                     self.mate[u], self.mate[w] = w, u
                     break
 
@@ -132,11 +132,14 @@ class Mesh:
             {Q(p[2]) / q[2] for p, q in zip(c, d)}) == 1
 
     def one_edge(self, u, w):
-        """Opposite uses that a line `glue` could glue (mesh.md, "Same curves")."""
+        """Opposite uses that are one curve in different parameters (mesh.md, "Same curves")."""
         a, b = self.ends(u)
         if a == b or self.ends(w) != (b, a) or u == w:
             return False
-        first, second = (reduced(c) for c in (self.curve[u], self.curve[w][::-1]))
+        curves = self.curve[u], self.curve[w][::-1]
+        if any(affine(c[0]) == affine(c[1]) for c in curves):  # not regular there: perhaps
+            return True
+        first, second = map(reduced, curves)
         ratios = []
         for p, q in zip(first, second):
             if any(p) != any(q):
@@ -154,25 +157,6 @@ class Mesh:
         r = [None if x is None else x / ratios[0] for x in ratios]
         j = next(i for i in range(1, len(r)) if r[i] is not None)
         return all(x is None or x ** j == r[j] ** i for i, x in enumerate(r))
-
-    def glue(self, tokens):
-        u, w = self.use(tokens), self.use(tokens)
-        j, r = tokens.small(1, 4096), tokens.rational()
-        require(r > 0, "glue: r")
-        require(u not in self.mate and w not in self.mate and u != w, "glue: glued already")
-        a, b = self.ends(u)
-        require(a != b and self.ends(w) == (b, a), "glue: ends")
-        first, second = self.curve[u], self.curve[w][::-1]
-        rows = []
-        for k in range(3):
-            f = {}
-            for i, p in enumerate(first):
-                f[i, i % j] = p[k] * comb(len(first) - 1, i) * r ** (i // j)
-            rows.append((P.clean(f), P.clean({(i, 0): p[k] * comb(len(second) - 1, i) for i, p in enumerate(second)})))
-        for k in range(3):
-            for l in range(k):
-                require(not P.add2(P.mul2(rows[k][0], rows[l][1]), P.mul2(rows[l][0], rows[k][1]), -1), "glue: curves")
-        self.mate[u], self.mate[w] = w, u
 
     def use(self, tokens):
         position, e = tokens.edge()
@@ -198,34 +182,6 @@ class Mesh:
             rest = [u for u in rest if u not in loop]
         return result
 
-    def turns(self):
-        seen = set()
-        for start in self.uses:
-            if start in seen:
-                continue
-            cycle, u = [], start
-            while True:
-                cycle.append(u)
-                back = self.before(u)
-                if back not in self.mate:
-                    cycle = None
-                    break
-                u = self.mate[back]
-                if u == start:
-                    break
-            if cycle is None:
-                continue
-            seen.update(cycle)
-            require(sum(self.holds(u) for u in cycle) == 1, "turns")
-
-    def holds(self, u):
-        p = [affine(x) for x in self.curve[u]]
-        q = [affine(x) for x in self.curve[self.before(u)]]
-        t, s, r = minus(p[1], p[0]), minus(q[-2], q[-1]), (1, 0)
-        if cross(t, r) == 0:
-            return dot(t, r) > 0
-        return cross(t, r) > 0 and cross(r, s) > 0
-
     def reached(self, u, w):
         """Whether the corner where w begins is reached from that of u across edges that are or could be glued."""
         seen, work = {u}, [u]
@@ -247,23 +203,16 @@ class Mesh:
 
 def check_embedding(mesh, claims, next_tokens):
     require(all(c == "injective" for c in claims), "embedding: an element")
-    tokens, pairs, first = next_tokens(), {}, True
+    tokens, pairs, loops = next_tokens(), {}, mesh.loops()
     while tokens.tokens[0] != "end":
-        if tokens.rule(["glue", "pair"]) == "glue":
-            well(first, "glue after pair")
-            mesh.glue(tokens)
-        else:
-            if first:
-                loops, first = mesh.loops(), False
-            u, w = mesh.use(tokens), mesh.use(tokens)
-            require(u != w and u not in mesh.mate and w not in mesh.mate, "pair: not boundary")
-            joints = ({"eb"} if mesh.follower(u) == w else set()) | ({"be"} if mesh.follower(w) == u else set())
-            check_pair(tokens, mesh.curve[u], mesh.curve[w], joints)
-            pairs[frozenset((u, w))] = True
+        tokens.rule(["pair"])
+        u, w = mesh.use(tokens), mesh.use(tokens)
+        require(u[0] != w[0] and u not in mesh.mate and w not in mesh.mate, "pair: not boundary")
+        joints = ({"eb"} if mesh.follower(u) == w else set()) | ({"be"} if mesh.follower(w) == u else set())
+        check_pair(tokens, mesh.curve[u], mesh.curve[w], joints)
+        pairs[frozenset((u, w))] = True
         tokens.end()
         tokens = next_tokens()
-    loops = mesh.loops()
-    mesh.turns()
     boundary = [u for loop in loops for u in loop]
     boxes = {u: box(mesh.curve[u]) for u in boundary}
     for i, u in enumerate(boundary):

@@ -1,7 +1,7 @@
 """The mutants of a certificate: every token in turn replaced by wrong ones. mutants.hpp makes the same ones, in the same order."""
 import re
 
-CLASSES = ["injective regular overlapping degenerate folded reversed invalid undecided", "coefficients tree factors columns", "midpoint hull orientation boundary",
+CLASSES = ["injective regular overlapping degenerate folded reversed invalid undecided", "coefficients tree factors columns hull", "midpoint hull orientation boundary",
            "none + -", "m h s j a b r", "open root slab", "at root cross", "undecided embedding refuted", "element cover touch pinch gap", "glue pair end",
            "u v", "lagrange bernstein mixed", "binary64 decimal"]
 
