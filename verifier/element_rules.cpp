@@ -39,8 +39,35 @@ void check_hull(const Element& e, const Map& map) {
   }
 }
 
+void check_orientation(const Element& e, const Map& map) {
+  require(e.triangle, "orientation of a quadrilateral");
+  const int n = e.p;
+  const Integers x = form(map.x, true, n, n).c, y = form(map.y, true, n, n).c, w = form(map.w, true, n, n).c;
+  std::vector<std::array<int, 2>> l;  // the indices (n - i - j, i, j)
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i + j <= n; ++i) l.push_back({i, j});
+  const std::size_t size = std::max({limbs(x), limbs(y), limbs(w)});
+  for (std::size_t a = 0; a < l.size(); ++a) {
+    for (std::size_t b = a + 1; b < l.size(); ++b) {
+      const auto minor = [&](const auto& f, const auto& g) { return mpz_class(f[a] * g[b] - g[a] * f[b]); };
+      const mpz_class yw = minor(y, w), wx = minor(w, x), xy = minor(x, y);
+      spend(l.size() * 6 * product_work(size, size));
+      for (std::size_t c = b + 1; c < l.size(); ++c) {
+        // 1/n of the determinant of the three indices, whose components have the sum n.
+        const int det = (l[b][0] - l[a][0]) * (l[c][1] - l[a][1]) - (l[b][1] - l[a][1]) * (l[c][0] - l[a][0]);
+        const int orientation = sgn(mpz_class(yw * x[c] + wx * y[c] + xy * w[c]));
+        // Corner triples are those with the sum (3n - 2, 1, 1), in some order.
+        const int i = l[a][0] + l[b][0] + l[c][0], j = l[a][1] + l[b][1] + l[c][1];
+        const bool corner = i * j * (3 * n - i - j) == 3 * n - 2;
+        require(det == 0 || (det > 0 ? orientation : -orientation) >= corner, "orientation");
+      }
+    }
+  }
+}
+
 /// INJECTIVE, of a regular element.
-void check_injective(Tokens& tokens, const Element& e) {
+void check_injective(Tokens& tokens, const Element& e, const Map& map) {
+  if (tokens.accept("orientation")) return check_orientation(e, map);
   if (tokens.accept("midpoint"))
     return require(!e.rational && e.p <= (e.triangle ? 2 : 1) && e.q <= (e.triangle ? 2 : 1), "midpoint");
   if (tokens.accept("boundary")) return check_boundary(tokens, edge_curves(e));
@@ -77,7 +104,7 @@ Claim check_element(const Element& e, Tokens& tokens) {
       check_sign(tokens, claim == Claim::reversed ? Polynomial2{} - n : n, e.triangle, degree,
                  claim != Claim::degenerate);
     }
-    if (claim == Claim::injective) check_injective(tokens, e);
+    if (claim == Claim::injective) check_injective(tokens, e, map);
     if (claim == Claim::overlapping)
       check_meet(tokens, false, [&](const auto& a, const auto& b) {
         return meeting(e, static_cast<std::size_t>(a.edge), static_cast<std::size_t>(b.edge));

@@ -14,10 +14,10 @@ namespace {
 
 using Evidence = std::optional<std::string>;
 
-// For SIGN; "orientation", a criterion, is not among the rules.
+// Beside SIGN.
 Evidence injective_evidence(const Forms& forms, const Decision& decision) {
-  if (decision.injectivity_proof == "midpoint") return "midpoint";
-  return boundary_evidence(forms);
+  if (decision.injectivity_proof == "boundary") return boundary_evidence(forms);
+  return std::string(decision.injectivity_proof);
 }
 
 // "u v", without what the barycentric coordinates have too much.

@@ -1,4 +1,4 @@
-"""The claim `injective`: hull, and INJECTIVE: midpoint, boundary."""
+"""The claim `injective`: hull, and INJECTIVE: midpoint, orientation, boundary."""
 from book import *
 from evidence import boundary, pair_evidence, sign, tempting_boundary
 from sign_cases import clockwise, dip, linear, linear41, trap, unit
@@ -17,6 +17,7 @@ def polynomial_quad(name, x, y, p, q):
 # Straight triangle: everything proves it.
 good("midpoint-linear", linear, "injective coefficients midpoint")
 good("hull-linear", linear, "injective hull")
+good("orientation-linear", linear, "injective coefficients orientation")
 edges = "m 1 0 m -1 1 m 0 -1"
 j01, j02, j12 = "j 1 2", "j -1 1", "j -2 -1"
 for name, evidence in {
@@ -52,6 +53,7 @@ bad("boundary-square-j-without-joint", unit, f"injective coefficients {sides} j 
 bad("boundary-square-s-wrong", unit, f"injective coefficients {sides} j 1 1 s 1 0 j -1 1 j -1 1 s -1 0 j -1 -1")
 bad("boundary-square-s-swapped", unit, f"injective coefficients {sides} j 1 1 s 0 -1 j -1 1 j -1 1 s -1 0 j -1 -1")
 bad("boundary-square-s-null", unit, f"injective coefficients {sides} j 1 1 s 0 0 j -1 1 j -1 1 s -1 0 j -1 -1")
+bad("orientation-square", unit, "injective coefficients orientation")
 bad("boundary-square-other-corner", unit, f"injective coefficients {sides} j 1 1 s 0 1 j 1 1 j -1 1 s -1 0 j -1 -1")
 
 # Curved triangles.
@@ -116,7 +118,7 @@ third = elements_file("overlapping-third.bez.json", bez_file(triangle(net(
 for name, where in (("corners", corners), ("third", third)):
     s = regular(where)
     bad(f"hull-overlapping-{name}", where, "injective hull")
-    for evidence in ("midpoint", tempting_boundary(element(where), 8), tempting_boundary(element(where), 8, "r")):
+    for evidence in ("midpoint", "orientation", tempting_boundary(element(where), 8), tempting_boundary(element(where), 8, "r")):
         bad(f"{evidence.split()[0]}-overlapping-{name}" + ("-r" if " r" in evidence else ""), where, f"injective {s} {evidence}")
     good(f"regular-overlapping-{name}", where, f"regular {s}")
 
@@ -124,11 +126,14 @@ for name, where in (("corners", corners), ("third", third)):
 disc = elements_file("quarter-conic.bez.json", bez_file(triangle(net("0,0 1/2,0 1,0 0,1/2 1,1 0,1"), 2, weights=[1, 1, 1, 1, Q(3, 4), 1])))
 s = regular(disc)
 good("hull-rational-triangle", disc, "injective hull")
+good("orientation-rational", disc, f"injective {s} orientation")
 good("boundary-rational", disc, f"injective {s} {boundary(element(disc))}")
 good("boundary-rational-r", disc, f"injective {s} boundary m 1 0 m -1 1 m 0 -1 r j -1 1 j -2 -1")
 # Straight edges of degree 2: F and G have degree 1 in t there.
 good("boundary-rational-r-all", disc, f"injective {s} boundary m 1 0 m -1 1 m 0 -1 r r r")
 bad("midpoint-rational", disc, f"injective {s} midpoint")
+flat = elements_file("orientation-flat.bez.json", bez_file(triangle(net("0,0 1,0 2,0 0,1 1,0 0,2"), 2, weights=[1, 2, 1, 2, 3, 1])))
+bad("orientation-flat", flat, "injective coefficients orientation")
 conic_quad = elements_file("rational-quad.bez.json", bez_file(quad(net("1,0 2,0 1,1 2,2 0,1 0,2"), 1, 2, weights=[1, 1, Q(3, 4), Q(3, 4), 1, 1])))
 s = regular(conic_quad)
 good("boundary-rational-quad", conic_quad, f"injective {s} {boundary(element(conic_quad))}")
@@ -136,6 +141,9 @@ good("hull-rational-quad", conic_quad, "injective hull")
 equal = elements_file("equal-weights.bez.json", bez_file(triangle(net("0,0 1,-1/4 2,0 0,1 1,1 0,2"), 2, weights=[Q(5, 7)] * 6)))
 good("midpoint-equal-weights", equal, f"injective {regular(equal)} midpoint")
 fold_weights = elements_file("weights-fold.bez.json", bez_file(triangle(net("0,0 3/4,1/4 1,0 0,1/2 1/2,1/2 0,1"), 2, weights=[1, 16, 1, 1, 1, 1])))
+bad("orientation-fails", fold_weights, "injective coefficients orientation")
+bad("orientation-violated", trap, "injective coefficients orientation", basis="bernstein")
+bad("orientation-folded", trap, "injective coefficients orientation")
 bad("hull-fails", fold_weights, "injective hull")
 bad("hull-folded", trap, "injective hull")
 bad("hull-clockwise", clockwise, "injective hull")

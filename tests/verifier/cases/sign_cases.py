@@ -83,7 +83,7 @@ bad("invalid-of-regular-outside", jacobian("negative-outside", 2 - 3 * U * V), "
 bad("degenerate-folded", hole, "degenerate coefficients at 7/16 3/8")
 bad("reversed-folded", hole, "reversed coefficients")
 bad("injective-folded-hull", hole, "injective hull")
-for evidence in ("midpoint", "boundary m 1 0 m -1 1 m 0 -1 j 1 0 j -1 0 j 0 -1"):
+for evidence in ("midpoint", "orientation", "boundary m 1 0 m -1 1 m 0 -1 j 1 0 j -1 0 j 0 -1"):
     bad("injective-folded-" + evidence.split()[0], hole, "injective coefficients " + evidence)
 bad("overlapping-folded", hole, "overlapping coefficients at 0 1/4 0 3/4")
 outside_fold = jacobian("fold-outside", 2 - U - V * 2 + F.of(Q(1, 8)))

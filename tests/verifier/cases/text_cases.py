@@ -94,7 +94,7 @@ add("malformed", "element-missing", two, "".join(lines[:6] + lines[7:]))
 # -- words of claims --
 for name, words in {
         "unknown": "correct coefficients midpoint", "upper-case": "Injective coefficients midpoint", "none": "", "claim-only": "injective", "sign-only": "injective coefficients",
-        "unknown-sign": "injective positive midpoint", "unknown-injective": "injective coefficients certainly", "too-much": claim + " midpoint", "hull-too-much": "injective hull midpoint", "hull-after-sign": "injective coefficients hull", "regular-hull": "regular hull", "orientation": "injective coefficients orientation", "regular-too-much": "regular coefficients midpoint",
+        "unknown-sign": "injective positive midpoint", "unknown-injective": "injective coefficients certainly", "too-much": claim + " midpoint", "hull-too-much": "injective hull midpoint", "hull-after-sign": "injective coefficients hull", "regular-hull": "regular hull", "regular-too-much": "regular coefficients midpoint",
         "undecided-too-much": "undecided coefficients", "regular-nothing": "regular", "boundary-nothing": "injective coefficients boundary",
         "boundary-short": "injective coefficients boundary m 1 0 m -1 1 m 0 -1 j 1 2 j -1 1", "boundary-long": "injective coefficients boundary m 1 0 m -1 1 m 0 -1 j 1 2 j -1 1 j -2 -1 j 1 1",
         "self-unknown": "injective coefficients boundary x 1 0 m -1 1 m 0 -1 j 1 2 j -1 1 j -2 -1", "self-s": "injective coefficients boundary s 1 0 m -1 1 m 0 -1 j 1 2 j -1 1 j -2 -1",

@@ -230,8 +230,25 @@ def hull_holds(element):
         cross(A[i], B[j]) + cross(A[j], B[i]) >= 0 for i, j in combinations(range(len(A)), 2))
 
 
+def orientation_holds(element):
+    n = element.p
+    point = {k: (element.h[0][k] / element.h[2][k], element.h[1][k] / element.h[2][k]) for k in element.indices}
+    corners = [{(0, 0), (1, 0), (0, 1)}, {(n, 0), (n - 1, 1), (n - 1, 0)}, {(0, n), (0, n - 1), (1, n - 1)}]
+    for a, b, c in combinations(element.indices, 3):
+        index = cross((b[0] - a[0], b[1] - a[1]), (c[0] - a[0], c[1] - a[1]))
+        if index == 0:
+            continue
+        p, q, r = point[a], point[b], point[c]
+        image = cross((q[0] - p[0], q[1] - p[1]), (r[0] - p[0], r[1] - p[1]))
+        if image * index < 0 or (image == 0 and {a, b, c} in corners):
+            return False
+    return True
+
+
 def check_injective(tokens, element):
-    rule = tokens.rule(["midpoint", "boundary"])
+    rule = tokens.rule(["midpoint", "orientation", "boundary"])
+    if rule == "orientation":
+        return require(element.triangle and orientation_holds(element), "orientation")
     if rule == "midpoint":
         require(not element.rational and (element.p <= 2 if element.triangle else element.p == element.q == 1), "midpoint")
     else:
