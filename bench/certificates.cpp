@@ -23,7 +23,8 @@ bool run_order(int order, const fs::path& folder) {
   const std::string mesh = folder / "plate.msh", certificate = folder / "plate.cert";
   gmsh::model::mesh::setOrder(order);
   gmsh::write(mesh);
-  const std::string check = CERTIFY_PROGRAM " check --criteria=none --format=jsonl -o /dev/null " + mesh;
+  const std::string check =
+      CERTIFY_PROGRAM " check --criteria=none --jobs=1 --format=jsonl -o /dev/null " + mesh;
   const std::array<std::string, 3> commands = {check, check + " --certificate=" + certificate,
                                                VERIFIER_PROGRAM " " + mesh + " " + certificate};
   std::array<double, 3> best = {1e300, 1e300, 1e300};

@@ -6,6 +6,7 @@
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/mesh/mesh_decider.hpp"
 #include "exit_code.hpp"
+#include "memory.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "workers.hpp"
@@ -93,6 +94,7 @@ struct Input {
 Input read_input(const std::string& input, const ReadOptions& options, Workers& workers) {
   const FileBytes file(input);
   const std::string_view bytes = file.view();
+  expect_memory(bytes.size() * 3 / 2);
   Input result;
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   result.is_json = begin != bytes.npos && bytes[begin] == '{';

@@ -203,8 +203,8 @@ TEST_CASE("a deliberately broken verdict is caught") {
       if (words.size() < 2 || words[0] == "mesh") continue;
       if (words[1] != "folded" && words[1] != "degenerate" && words[1] != "reversed" && words[1] != "invalid")
         continue;
-      for (const char* claim : {"injective coefficients midpoint", "injective hull",
-                                "regular coefficients", "injective coefficients orientation"}) {
+      for (const char* claim : {"injective coefficients midpoint", "injective hull", "regular coefficients",
+                                "injective coefficients orientation"}) {
         std::vector<std::string> edited = lines;
         edited[i] = words[0] + ' ' + claim;
         for (std::string& line : edited)

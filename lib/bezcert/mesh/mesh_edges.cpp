@@ -79,11 +79,18 @@ MeshEdges::MeshEdges(const Mesh& mesh) : mesh_(mesh) {
     shape_.push_back(place->second);
     if (!is_new) continue;
     ShapeEdges& tables = shapes_.emplace_back();
+    tables.basis = element.basis;
     for (int edge = 0; edge < edges; ++edge) {
       const auto at = static_cast<std::size_t>(edge);
       const std::vector<std::size_t> positions = edge_positions(element.shape, edge);
       tables.along[at].assign(positions.begin(), positions.end());
       tables.tangent[at] = tangent_coefficients(element.basis, positions.size());
+    }
+  }
+  if (shapes_.size() == 1) {
+    stride_ = coefficient_count(mesh.elements[0].shape);
+    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+      if (mesh.elements[i].first_node != i * stride_) stride_ = 0;
     }
   }
   if (!triangles || !quadrilaterals) {
@@ -219,7 +226,7 @@ Vector2<Interval> MeshEdges::interval_tangent(EdgeUse use, End end) const {
 std::optional<int> MeshEdges::tangent_sign(EdgeUse use, End end, int coordinate) const {
   const ExactVector& numbers = coordinate == 0 ? mesh_.x : mesh_.y;
   if (!numbers.binary64()) return std::nullopt;
-  const std::vector<double>& c = shapes_[shape_[element(use)]].tangent[static_cast<std::size_t>(edge(use))];
+  const std::vector<double>& c = shapes_[shape_of(element(use))].tangent[static_cast<std::size_t>(edge(use))];
   if (c.empty()) return std::nullopt;
   const EdgeNodes along = end == End::begin ? nodes(use) : nodes(use).reversed();
   if (!mesh_.weights.empty() && basis(use) == Basis::lagrange && !equal_weights(along)) return std::nullopt;

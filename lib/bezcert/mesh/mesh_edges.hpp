@@ -98,11 +98,11 @@ class MeshEdges {
   /// The nodes along the edge; control points of it, or nodes that it interpolates.
   EdgeNodes nodes(EdgeUse use) const {
     const std::uint32_t own = element(use);
-    return {mesh_.connectivity.data() + mesh_.elements[own].first_node,
-            shapes_[shape_[own]].along[use - first(own)]};
+    const std::size_t begin = stride_ > 0 ? own * stride_ : mesh_.elements[own].first_node;
+    return {mesh_.connectivity.data() + begin, shapes_[shape_of(own)].along[use - first(own)]};
   }
   std::uint32_t begin_node(EdgeUse use) const { return nodes(use).front(); }
-  Basis basis(EdgeUse use) const { return mesh_.elements[element(use)].basis; }
+  Basis basis(EdgeUse use) const { return shapes_[shape_of(element(use))].basis; }
   Point point(std::uint32_t node) const { return {mesh_.x[node], mesh_.y[node]}; }
 
   /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is
@@ -133,11 +133,13 @@ class MeshEdges {
   /// Positions of the nodes along each edge, in elements of one shape, and the coefficients of an end's
   /// tangent in the nodes (empty if they are no doubles).
   struct ShapeEdges {
+    Basis basis;
     std::array<std::vector<std::uint16_t>, 4> along;
     std::array<std::vector<double>, 4> tangent;
   };
 
   bool equal_weights(const EdgeNodes& nodes) const;
+  std::size_t shape_of(std::size_t element) const { return shapes_.size() == 1 ? 0 : shape_[element]; }
 
   const Mesh& mesh_;
   std::size_t count_ = 0;
@@ -146,6 +148,7 @@ class MeshEdges {
   std::vector<std::uint32_t> element_;
   std::vector<ShapeEdges> shapes_;
   std::vector<std::uint16_t> shape_;  // of each element
+  std::size_t stride_ = 0;  // nodes of every element, if all have as many and follow each other; else 0
 };
 
 }  // namespace bezcert
