@@ -5,9 +5,9 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +30,8 @@ class Workers {
 
   std::size_t jobs() const { return jobs_; }
 
-  /// Runs both, side by side if there are threads for it.
+  /// Runs both, side by side if there are threads for it; the first, which is to be the one that takes much
+  /// memory (memory.hpp), on the calling thread.
   template <class First, class Second>
   void both(First first, Second second) {
     if (!arena_) {
@@ -38,7 +39,18 @@ class Workers {
       second();
       return;
     }
-    arena_->execute([&] { oneapi::tbb::parallel_invoke(first, second); });
+    arena_->execute([&] {
+      oneapi::tbb::task_group other;
+      other.run(second);
+      try {
+        first();
+      } catch (...) {
+        other.cancel();
+        other.wait();
+        throw;
+      }
+      other.wait();
+    });
   }
 
   /// Runs work(i) for i below `count`.

@@ -17,7 +17,7 @@ mpz_class scale(const std::vector<double>& values, Integers& integers) {
     least = std::min(least, exponent - 53);
   }
   for (const double value : values) {
-    integers.emplace_back(std::ldexp(std::frexp(value, &exponent), 53));
+    integers.emplace_back(static_cast<long>(std::ldexp(std::frexp(value, &exponent), 53)));
     integers.back() <<= static_cast<unsigned>(exponent - 53 - least);
   }
   return mpz_class(1) << static_cast<unsigned>(-least);

@@ -39,6 +39,7 @@ std::string sha256(std::string_view bytes) {
                (std::rotr(y, 17) ^ std::rotr(y, 19) ^ y >> 10);
       }
       const std::array<std::uint32_t, 8> before = state;
+#pragma GCC unroll 8  // so that the words stay where they are
       for (std::size_t i = 0; i < 64; ++i) {
         const auto [a, b, c, d, e, f, g, h] = state;
         const std::uint32_t s = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
