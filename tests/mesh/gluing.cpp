@@ -52,6 +52,26 @@ TEST_CASE("equal curves glue, whatever their nodes are called") {
   check(pair.builder.build(false), MeshVerdict::embedding);
 }
 
+TEST_CASE("a node with many edges: glued, and one element there twice") {
+  // A fan over the points (k, k^2) of a parabola.
+  for (const int count : {3, 8, 33, 200}) {
+    INFO(count);
+    MeshBuilder open;
+    const Node top = open.node(0, count * count + 1);
+    std::vector<Node> bottom;
+    for (int k = -count; k <= count; ++k) bottom.push_back(open.node(k, k * k));
+    for (std::size_t k = 0; k + 1 < bottom.size(); ++k) open.triangle(top, bottom[k], bottom[k + 1]);
+    const MeshResult good = examine(open.build());
+    CHECK(good.verdict == MeshVerdict::embedding);
+    CHECK(good.loops == std::size_t{1});
+    open.triangle(top, bottom[0], bottom[1]);
+    const MeshResult doubled = examine(open.build());
+    CHECK(doubled.verdict == MeshVerdict::non_manifold);
+    CHECK(first_obstacle(doubled).elements ==
+          std::vector<std::uint32_t>{0, static_cast<std::uint32_t>(2 * count)});
+  }
+}
+
 TEST_CASE("different curves between the same nodes do not conform, with the distance") {
   for (const bool by_nodes : {true, false}) {
     Pair pair;

@@ -63,18 +63,11 @@ class Gluer {
     gluing_.twin.assign(edges_.count(), no_edge);
     gluing_.faulty.assign(edges_.count(), false);
     sort_by_smaller_vertex();
-    bool rest = false;
-    for_groups([&](std::span<const Use> uses) {
-      if (uses.size() == 2 && uses[0].forward != uses[1].forward) {
-        pair(uses[0].use, uses[1].use);
-      } else if (uses.size() > 1) {
-        rest = true;
-      }
-    });
-    if (!keep_plain_pairs()) rest = true;
-    if (rest) {
+    if (!pair_plainly()) {
       for_groups([&](std::span<const Use> uses) {
-        if (uses.size() > 1 && gluing_.twin[uses[0].use] == no_edge) group(uses);
+        if (uses.size() < 2 || (uses.size() == 2 && gluing_.twin[uses[0].use] == uses[1].use)) return;
+        for (const Use& use : uses) gluing_.twin[use.use] = no_edge;
+        group(uses);
       });
     }
     return std::move(gluing_);
@@ -117,6 +110,40 @@ class Gluer {
   void pair(EdgeUse a, EdgeUse b) {
     gluing_.twin[a] = b;
     gluing_.twin[b] = a;
+  }
+
+  // Pairs the two uses of every pair of vertices that has two, in opposite directions and through the same
+  // nodes; returns whether all are such, or alone. (If not, `for_groups` looks at all again.)
+  bool pair_plainly() {
+    bool all = true;
+    std::vector<std::uint32_t> larger;
+    for (std::uint32_t vertex = 0; vertex + 1 < start_.size(); ++vertex) {
+      const std::uint32_t begin = start_[vertex], count = start_[vertex + 1] - begin;
+      if (count > 32) {  // here all are compared with all
+        all = false;
+        continue;
+      }
+      larger.clear();
+      for (std::uint32_t i = begin; i < begin + count; ++i) {
+        larger.push_back(std::max(gluing_.begin[sorted_[i]], gluing_.end(edges_, sorted_[i])));
+      }
+      for (std::uint32_t i = 0; i < count; ++i) {
+        std::uint32_t others = 0, other = 0;
+        for (std::uint32_t j = i + 1; j < count; ++j) {
+          if (larger[j] != larger[i]) continue;
+          ++others;
+          other = j;
+        }
+        if (others == 0) continue;
+        const EdgeUse a = sorted_[begin + i], b = sorted_[begin + other];
+        if (others == 1 && gluing_.begin[a] != gluing_.begin[b]) {
+          pair(a, b);
+        } else {
+          all = false;
+        }
+      }
+    }
+    return keep_plain_pairs() && all;
   }
 
   // Pairs stay if both run through the same nodes, the ordinary case; returns whether all do. In the order of
