@@ -94,7 +94,7 @@ struct Input {
 Input read_input(const std::string& input, const ReadOptions& options, Workers& workers) {
   const FileBytes file(input);
   const std::string_view bytes = file.view();
-  expect_memory(bytes.size());
+  expect_memory(bytes.size() * 3 / 2);
   Input result;
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   result.is_json = begin != bytes.npos && bytes[begin] == '{';

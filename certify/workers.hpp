@@ -78,7 +78,7 @@ class Workers {
     std::size_t next = 0;
     arena_->execute([&] {
       tbb::parallel_pipeline(
-          2 * jobs_,
+          jobs_ + 1,
           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
                                               [&](tbb::flow_control& control) {
                                                 const std::size_t begin = next;
