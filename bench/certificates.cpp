@@ -6,7 +6,7 @@
 // The mesh is made on the spot by gmsh: a plate with 9 holes, triangles of order 2, 3 and 4, ASCII .msh 4.1.
 // `certify` runs with --criteria=none: the criteria, which run if nothing is said, make its own part of the
 // ratios look better; the last line has them. Times are the best of five, the commands in turn.
-#include "plate.hpp"
+#include "gmsh_mesh.hpp"
 
 #include <array>
 #include <cstdio>

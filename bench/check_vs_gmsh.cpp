@@ -13,7 +13,7 @@
 #include "bezcert/io/read.hpp"
 #include "bezcert/mesh/mesh_decider.hpp"
 #include "cross_check.hpp"
-#include "plate.hpp"
+#include "gmsh_mesh.hpp"
 
 #include <gmsh.h>
 
@@ -59,15 +59,7 @@ void check_all(const Mesh& mesh, const std::vector<const Criterion*>& all) {
 void run_order(int order, const std::string& path) {
   gmsh::model::mesh::setOrder(order);
   gmsh::write(path);
-  const double gmsh_check = best_of_three([] {
-    // Plugins keep what they computed for a view: a new run computes again.
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "JacobianDeterminant", 1);
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "IGEMeasure", 0);
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "ICNMeasure", 0);
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "DimensionOfElements", 2);
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "Recompute", 1);
-    gmsh::plugin::run("AnalyseMeshQuality");
-  });
+  const double gmsh_check = best_of_three(analyse_mesh_quality);
 
   Mesh mesh;
   const double our_load = best_of_three([&] { mesh = read_mesh(path, read_file(path)); });

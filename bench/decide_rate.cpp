@@ -10,7 +10,7 @@
 #include "bezcert/io/read.hpp"
 #include "bezcert/mesh/mesh_decider.hpp"
 
-#include <gmsh.h>
+#include "gmsh_mesh.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -78,39 +78,7 @@ void count_failures(const Mesh& mesh, Outcome& outcome) {
   }
 }
 
-double gmsh_check() {
-  return best_of_runs([] {
-    // Plugins keep what they computed for a view: a new run computes again.
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "JacobianDeterminant", 1);
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "IGEMeasure", 0);
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "ICNMeasure", 0);
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "DimensionOfElements", 2);
-    gmsh::plugin::setNumber("AnalyseMeshQuality", "Recompute", 1);
-    gmsh::plugin::run("AnalyseMeshQuality");
-  });
-}
-
-// A square plate of side 10 with 3 x 3 round holes.
-void make_plate(double size, bool holes) {
-  gmsh::model::add(holes ? "plate" : "square");
-  const int plate = gmsh::model::occ::addRectangle(0, 0, 0, 10, 10);
-  if (holes) {
-    std::vector<std::pair<int, int>> disks;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        disks.emplace_back(2,
-                           gmsh::model::occ::addDisk(2 + 3 * i, 2 + 3 * j, 0, 0.6 + 0.1 * i, 0.6 + 0.1 * i));
-      }
-    }
-    std::vector<std::pair<int, int>> cut;
-    std::vector<std::vector<std::pair<int, int>>> origin;
-    gmsh::model::occ::cut({{2, plate}}, disks, cut, origin);
-  }
-  gmsh::model::occ::synchronize();
-  gmsh::option::setNumber("Mesh.MeshSizeMin", size);
-  gmsh::option::setNumber("Mesh.MeshSizeMax", size);
-  gmsh::model::mesh::generate(2);
-}
+double gmsh_check() { return best_of_runs(analyse_mesh_quality); }
 
 using Move = std::function<void(std::size_t, double&, double&)>;
 
@@ -180,8 +148,7 @@ void against_gmsh(double target, int first_order, int last_order, const std::str
   std::printf(
       "mesh       order elements  invalid      gmsh     decide  ratio   (blocks interval exact)  integers "
       "needed, min/max det J > 1e-6\n");
-  const double size = std::sqrt(82 / (0.433 * target));
-  make_plate(size, true);
+  make_plate(target);
   for (int order = first_order; order <= last_order; ++order) {
     gmsh::model::mesh::setOrder(order);
     report("plate", order, written_and_read(path), gmsh_check());
@@ -189,7 +156,7 @@ void against_gmsh(double target, int first_order, int last_order, const std::str
   gmsh::model::remove();
   const double side = std::sqrt(100 / (0.433 * target));
   for (int order = first_order; order <= last_order; ++order) {
-    make_plate(side, false);
+    mesh_square(side, false);
     gmsh::model::mesh::setOrder(order);
     move_nodes(bend);
     report("annulus", order, written_and_read(path), gmsh_check());
@@ -302,10 +269,7 @@ int main(int argc, char** argv) {
   rational_against_polynomial();
   cost_of_exact();
   linearity();
-  gmsh::initialize();
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::option::setNumber("General.NumThreads", 1);
-  gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);
+  start_gmsh();
   std::printf("\n");
   against_gmsh(target, first, last,
                (std::filesystem::temp_directory_path() / "bezcert_decide_rate.msh").string());

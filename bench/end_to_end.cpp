@@ -8,7 +8,8 @@
 // machine disturbs less. Ratios are ours / gmsh's: below 1 we are faster. Memory is the largest resident size
 // that getrusage reports for the child. Then curved triangles of order 3 in growing numbers: time against
 // size, with the fitted exponent.
-#include <gmsh.h>
+#include "gmsh_mesh.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -84,14 +85,7 @@ GmshCost run_gmsh(const fs::path& mesh) {
   for (int k = 0; k < 3; ++k) {
     gmsh::model::add("copy");
     const Cost load = timed([&] { gmsh::merge(mesh); });
-    const Cost check = timed([] {
-      gmsh::plugin::setNumber("AnalyseMeshQuality", "JacobianDeterminant", 1);
-      gmsh::plugin::setNumber("AnalyseMeshQuality", "IGEMeasure", 0);
-      gmsh::plugin::setNumber("AnalyseMeshQuality", "ICNMeasure", 0);
-      gmsh::plugin::setNumber("AnalyseMeshQuality", "DimensionOfElements", 2);
-      gmsh::plugin::setNumber("AnalyseMeshQuality", "Recompute", 1);
-      gmsh::plugin::run("AnalyseMeshQuality");
-    });
+    const Cost check = timed(analyse_mesh_quality);
     gmsh::model::remove();
     result.load = {std::min(result.load.wall, load.wall), std::min(result.load.cpu, load.cpu), 0};
     result.check = {std::min(result.check.wall, check.wall), std::min(result.check.cpu, check.cpu), 0};
@@ -118,25 +112,6 @@ void machine_scaling() {
                         }).wall);
   }
   std::printf("this machine: two threads of plain arithmetic do %.2f times the work of one\n", 2 * one / two);
-}
-
-// A square plate of side 10 with 3 x 3 round holes.
-void make_plate(double size) {
-  gmsh::model::add("plate");
-  const int plate = gmsh::model::occ::addRectangle(0, 0, 0, 10, 10);
-  std::vector<std::pair<int, int>> holes;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      holes.emplace_back(2, gmsh::model::occ::addDisk(2 + 3 * i, 2 + 3 * j, 0, 0.6 + 0.1 * i, 0.6 + 0.1 * i));
-    }
-  }
-  std::vector<std::pair<int, int>> cut;
-  std::vector<std::vector<std::pair<int, int>>> origin;
-  gmsh::model::occ::cut({{2, plate}}, holes, cut, origin);
-  gmsh::model::occ::synchronize();
-  gmsh::option::setNumber("Mesh.MeshSizeMin", size);
-  gmsh::option::setNumber("Mesh.MeshSizeMax", size);
-  gmsh::model::mesh::generate(2);
 }
 
 // A square grid of k x k cells, each two triangles of order 3, bent by smooth waves: .msh 4.1, ASCII.
@@ -250,12 +225,8 @@ int main(int argc, char** argv) {
   fs::create_directory(folder);
   const fs::path mesh = folder / "mesh.msh", report = folder / "report.jsonl";
   machine_scaling();
-  gmsh::initialize();
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::option::setNumber("General.NumThreads", 1);
-  gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);
-  // The plate without holes has area about 82; an equilateral triangle of side h has area 0.433 h^2.
-  make_plate(std::sqrt(82 / (0.433 * target)));
+  start_gmsh();
+  make_plate(target);
   for (const int order : {2, 3, 4}) {
     gmsh::model::setCurrent("plate");
     gmsh::model::mesh::setOrder(order);
