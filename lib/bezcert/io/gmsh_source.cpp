@@ -97,6 +97,7 @@ template double GmshSource::read(std::string_view);
 
 template <class T>
 void GmshSource::read_block(std::size_t count, T* to) {
+  if (count == 0) return;  // `to` may be null
   std::memcpy(to, bytes_.data() + at_, count * sizeof(T));
   at_ += count * sizeof(T);
   if (!swap_bytes) return;
