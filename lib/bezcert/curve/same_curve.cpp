@@ -59,69 +59,33 @@ std::optional<Rational> positive_ratio(const Triple& p, const Triple& q) {
   return std::nullopt;
 }
 
-// The n-th root, if it is rational. Precondition: value > 0.
-std::optional<Rational> rational_root(const Rational& value, int n) {
-  Integer p, q;
-  const auto degree = static_cast<unsigned long>(n);
-  if (mpz_root(p.backend().data(), Integer(numerator(value)).backend().data(), degree) == 0 ||
-      mpz_root(q.backend().data(), Integer(denominator(value)).backend().data(), degree) == 0) {
-    return std::nullopt;
-  }
-  return Rational(p, q);
-}
-
-Rational power_of(const Rational& base, long exponent) {
-  return exponent < 0 ? Rational(1 / power(base, static_cast<int>(-exponent)))
-                      : power(base, static_cast<int>(exponent));
-}
-
-// From (m, rho^m) and (n, rho^n) to (g, rho^g), g the greatest common divisor of m and n: Euclid's algorithm.
-ParameterChange common_power(ParameterChange a, ParameterChange b) {
-  while (b.exponent != 0) {
-    const int times = a.exponent / b.exponent;
-    a.exponent -= times * b.exponent;
-    a.power /= power_of(b.power, times);
-    std::swap(a, b);
-  }
-  return a;
-}
-
-ParameterChange with_smallest_exponent(const ParameterChange& change) {
-  for (int n = change.exponent; n > 1; --n) {
-    if (change.exponent % n != 0) continue;
-    if (const auto root = rational_root(change.power, n)) return {change.exponent / n, *root};
-  }
-  return change;
-}
-
 }  // namespace
 
-std::optional<ParameterChange> parameter_change(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
-  if (a.x == b.x && a.y == b.y && a.w == b.w) return ParameterChange{};
+bool same_curve(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
+  if (a.x == b.x && a.y == b.y && a.w == b.w) return true;
   const std::vector<Triple> p = reduced(a), q = reduced(b);
-  if (p.size() != q.size()) return std::nullopt;
+  if (p.size() != q.size()) return false;
   // q_i = lambda rho^i p_i for all i. W > 0 at both ends, so the first and the last are not zero.
-  std::optional<Rational> scale;
-  std::optional<ParameterChange> first, all;
+  std::optional<Rational> scale, step;
+  int step_index = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (is_zero(p[i]) != is_zero(q[i])) return std::nullopt;
+    if (is_zero(p[i]) != is_zero(q[i])) return false;
     if (is_zero(p[i])) continue;
     std::optional<Rational> ratio = positive_ratio(p[i], q[i]);
-    if (!ratio) return std::nullopt;
+    if (!ratio) return false;
     if (!scale) {
       scale = ratio;
       continue;
     }
-    const ParameterChange here{static_cast<int>(i), *ratio / *scale};
-    if (!first) {
-      first = all = here;
-    } else if (power(here.power, first->exponent) == power(first->power, here.exponent)) {
-      all = common_power(*all, here);
-    } else {
-      return std::nullopt;
+    *ratio /= *scale;
+    if (!step) {
+      step = ratio;
+      step_index = static_cast<int>(i);
+    } else if (power(*ratio, step_index) != power(*step, static_cast<int>(i))) {
+      return false;
     }
   }
-  return all ? with_smallest_exponent(*all) : ParameterChange{};
+  return true;
 }
 
 }  // namespace bezcert

@@ -8,25 +8,10 @@
 
 #include "bezcert/curve/dyadic_curve.hpp"
 
-#include <optional>
-
 namespace bezcert {
 
-/// rho = power^(1/exponent) > 0; `exponent` is the smallest for which rho^exponent is rational, so that the
-/// powers of rho below it are linearly independent over the rationals.
-struct ParameterChange {
-  int exponent = 1;
-  Rational power = 1;
-};
-
-/// With z = t / (1 - t): the rho for which a at rho z is b at z, if there is one. Precondition: all weights
-/// are positive.
-std::optional<ParameterChange> parameter_change(const CurveNet<Integer>& a, const CurveNet<Integer>& b);
-
-/// Whether a and b are the same: there is such a rho.
-inline bool same_curve(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
-  return parameter_change(a, b).has_value();
-}
+/// Whether a and b are the same. Precondition: all weights are positive.
+bool same_curve(const CurveNet<Integer>& a, const CurveNet<Integer>& b);
 
 /// The curve run through from its end.
 template <class T>
