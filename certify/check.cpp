@@ -47,41 +47,42 @@ DomainSummary check_domain_of(const Mesh& mesh, const std::string& file, std::sp
 // Elements that one thread decides at a time.
 constexpr std::size_t block_size = 256;
 
+// What is known of a block. Its memory is used again for another block: threads that ask for memory at every
+// element wait for each other.
 struct CheckedBlock {
-  std::size_t first = 0;
-  std::vector<CheckedElement> elements;
-  std::vector<ElementClaim> claims;  // if a certificate is asked for
   std::string report;
+  ElementCounts counts;
+  std::vector<ElementClaim> claims;                             // if a certificate is asked for
+  std::vector<std::pair<std::size_t, CheckedElement>> defects;  // sound criteria contradict these
 };
 
-CheckedBlock check_block(const Mesh& mesh, std::size_t begin, std::size_t end, const CheckOptions& options,
-                         const Report& report) {
-  CheckedBlock block;
-  block.first = begin;
-  block.elements = check_elements(mesh, begin, end, options.criteria, options.budget, options.filter);
-  block.report.reserve(block.elements.size() * 384);
-  for (std::size_t i = begin; i < end; ++i) report.element(mesh, i, block.elements[i - begin], block.report);
-  if (options.certificate.empty()) return block;
-  for (std::size_t i = begin; i < end; ++i) {
-    block.claims.push_back(claim_of(mesh, i, block.elements[i - begin].decision));
-  }
-  return block;
+// Any number of blocks at a time: each has its own elements of `states`.
+void check_block(const Mesh& mesh, std::size_t begin, std::size_t end, const CheckOptions& options,
+                 const Report& report, std::vector<ElementState>& states, CheckedBlock& block) {
+  block.report.clear();
+  block.counts.clear(options.criteria.size());
+  block.claims.clear();
+  block.defects.clear();
+  const auto take = [&](std::size_t i, const CheckedElement& checked) {
+    report.element(mesh, i, checked, block.report);
+    block.counts.add(checked);
+    states[i] = state_of(checked.decision);
+    if (!options.certificate.empty()) block.claims.push_back(claim_of(mesh, i, checked.decision));
+    const bool is_defect = std::any_of(checked.criteria.begin(), checked.criteria.end(),
+                                       [](const CheckedCriterion& one) { return one.is_defect(); });
+    if (is_defect) block.defects.emplace_back(i, checked);
+  };
+  check_elements(mesh, begin, end, options.criteria, options.budget, options.filter, take);
 }
 
 // Adds a block to the report and to what is known of the mesh; blocks come in mesh order.
 void take_block(const std::string& input, const Mesh& mesh, const CheckedBlock& block, Summary& summary,
-                std::vector<ElementState>& states, Report& report, std::optional<CertificateWriter>& proof) {
+                Report& report, std::optional<CertificateWriter>& proof) {
   report.write(block.report);
   for (const ElementClaim& claim : block.claims) proof->element(claim);
-  for (std::size_t k = 0; k < block.elements.size(); ++k) {
-    const CheckedElement& checked = block.elements[k];
-    summary.add(checked);
-    states.push_back(state_of(checked.decision));
-    if (std::any_of(checked.criteria.begin(), checked.criteria.end(),
-                    [](const CheckedCriterion& one) { return one.is_defect(); })) {
-      const std::size_t i = block.first + k;
-      write_reproducer(input, mesh.elements[i], mesh.element(i), checked);
-    }
+  summary.add(block.counts);
+  for (const auto& [i, checked] : block.defects) {
+    write_reproducer(input, mesh.elements[i], mesh.element(i), checked);
   }
 }
 
@@ -99,13 +100,9 @@ Input read_input(const std::string& input, const ReadOptions& options, Workers& 
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   result.is_json = begin != bytes.npos && bytes[begin] == '{';
   ReadOptions with_threads = options;
-  if (workers.jobs() > 1) {
-    with_threads.parallel = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
-      workers.each(count, work);
-    };
-  }
-  workers.both([&] { result.mesh = read_mesh(input, bytes, with_threads); },
-               [&] { result.sha256 = sha256(bytes); });
+  with_threads.parallel = workers.parallel();
+  workers.at_once([&] { result.mesh = read_mesh(input, bytes, with_threads); },
+                  [&] { result.sha256 = sha256(bytes); });
   file.check_unchanged();
   return result;
 }
@@ -141,21 +138,20 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, std::s
 
   Summary summary;
   summary.criteria = options.criteria;
-  summary.by_criterion.resize(options.criteria.size());
-  std::vector<ElementState> states;
-  states.reserve(mesh.elements.size());
+  summary.clear(options.criteria.size());
+  std::vector<ElementState> states(mesh.elements.size());
   std::optional<MeshTopology> topology;
   workers.both([&] { topology.emplace(mesh); },
                [&] {
                  Progress progress(input, mesh.elements.size());
-                 workers.in_order(
+                 workers.in_order<CheckedBlock>(
                      mesh.elements.size(), block_size,
-                     [&](std::size_t begin, std::size_t end) {
-                       return check_block(mesh, begin, end, options, report);
+                     [&](std::size_t begin, std::size_t end, CheckedBlock& block) {
+                       check_block(mesh, begin, end, options, report, states, block);
                      },
                      [&](const CheckedBlock& block) {
-                       take_block(input, mesh, block, summary, states, report, proof);
-                       progress.done(states.size());
+                       take_block(input, mesh, block, summary, report, proof);
+                       progress.done(summary.elements);
                      });
                });
   summary.mesh = examine_mesh(std::move(*topology), states, {options.budget.contact, std::nullopt});

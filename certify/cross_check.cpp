@@ -53,11 +53,11 @@ Agreement compare(const Verdict& verdict, const Decision& decision) {
 
 namespace {
 
-void add(CheckedElement& element, const Criterion* criterion, Verdict verdict) {
-  CheckedCriterion checked{criterion, std::move(verdict), Agreement::consistent};
+void judge(CheckedElement& element, CheckedCriterion& checked, const Criterion* criterion, Verdict verdict) {
+  checked.criterion = criterion;
+  checked.verdict = std::move(verdict);
   checked.agreement = compare(checked.verdict, element.decision);
   element.agreement = std::max(element.agreement, checked.agreement);
-  element.criteria.push_back(std::move(checked));
 }
 
 // An element with its number forms, copied out of the mesh when it is needed.
@@ -96,31 +96,31 @@ CheckedElement check_element(const Element& element, std::span<const Criterion* 
   const Forms forms(element);
   CheckedElement result;
   result.decision = decide(forms, budget);
-  for (const Criterion* criterion : chosen) add(result, criterion, criterion->check(forms));
+  for (const Criterion* criterion : chosen) {
+    judge(result, result.criteria.emplace_back(), criterion, criterion->check(forms));
+  }
   return result;
 }
 
-std::vector<CheckedElement> check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
-                                           std::span<const Criterion* const> chosen, const Budget& budget,
-                                           Filter filter) {
-  std::vector<CheckedElement> result(end - begin);
-  MeshDecider(mesh, budget, filter).decide_range(begin, end, [&](std::size_t i, const Decision& decision) {
-    result[i - begin].decision = decision;
-  });
-  if (chosen.empty()) return result;
+void check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
+                    std::span<const Criterion* const> chosen, const Budget& budget, Filter filter,
+                    const VisitChecked& visit) {
+  CheckedElement checked;
+  checked.criteria.resize(chosen.size());
   QuickNet net;
-  for (std::size_t i = begin; i < end; ++i) {
-    CheckedElement& checked = result[i - begin];
-    checked.criteria.reserve(chosen.size());
-    const bool is_quick = filter == Filter::on && load(mesh, i, net);
+  MeshDecider(mesh, budget, filter).decide_range(begin, end, [&](std::size_t i, const Decision& decision) {
+    checked.decision = decision;
+    checked.agreement = Agreement::consistent;
+    const bool is_quick = !chosen.empty() && filter == Filter::on && load(mesh, i, net);
     FullForms forms(mesh, i, filter);
-    for (const Criterion* criterion : chosen) {
-      const std::optional<Status> status =
-          is_quick && criterion->quick ? criterion->quick(net) : std::nullopt;
-      add(checked, criterion, status ? begin_verdict(*criterion, *status) : criterion->check(forms.get()));
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const Criterion& criterion = *chosen[k];
+      const std::optional<Status> status = is_quick && criterion.quick ? criterion.quick(net) : std::nullopt;
+      judge(checked, checked.criteria[k], &criterion,
+            status ? begin_verdict(criterion, *status) : criterion.check(forms.get()));
     }
-  }
-  return result;
+    visit(i, checked);
+  });
 }
 
 }  // namespace bezcert::certify

@@ -5,6 +5,7 @@
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/mesh/embedding.hpp"
 
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -46,11 +47,14 @@ struct CheckedElement {
 CheckedElement check_element(const Element& element, std::span<const Criterion* const> chosen,
                              const Budget& budget);
 
-/// The same for elements begin ... end - 1 of a mesh, but verdicts of criteria need have no more than their
-/// status.
-std::vector<CheckedElement> check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
-                                           std::span<const Criterion* const> chosen, const Budget& budget,
-                                           Filter filter = Filter::on);
+/// Called with the place of an element and what was found of it, which lives for the call.
+using VisitChecked = std::function<void(std::size_t, const CheckedElement&)>;
+
+/// The same for elements begin ... end - 1 of a mesh, in this order, but verdicts of criteria need have no
+/// more than their status. Where that is quick, nothing is allocated for an element.
+void check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
+                    std::span<const Criterion* const> chosen, const Budget& budget, Filter filter,
+                    const VisitChecked& visit);
 
 /// Whether the element is certainly not certifiable: an invalid verdict, or undecided with a witness that
 /// det J <= 0 somewhere.

@@ -34,22 +34,27 @@ struct DomainSummary {
   DomainResult result;
 };
 
-struct Summary {
+/// What is counted of elements.
+struct ElementCounts {
   std::size_t elements = 0;
   std::array<std::size_t, element_verdicts.size()> by_verdict{};  ///< in the order of element_verdicts
-  std::vector<const Criterion*> criteria;
-  std::vector<CriterionCounts> by_criterion;  ///< in the order of `criteria`
-  std::size_t findings = 0;                   ///< contradictions of claimed criteria
-  std::size_t defects = 0;                    ///< contradictions of sound criteria
-  std::size_t invalid = 0;                    ///< elements that are certainly not certifiable
-  MeshResult mesh;                            ///< of the elements as a whole
-  std::optional<DomainSummary> domain;        ///< if curves were given
-  double seconds = 0;
+  std::vector<CriterionCounts> by_criterion;                      ///< in the order of the chosen criteria
+  std::size_t findings = 0;                                       ///< contradictions of claimed criteria
+  std::size_t defects = 0;                                        ///< contradictions of sound criteria
 
+  /// None, of so many criteria.
+  void clear(std::size_t criteria);
   void add(const CheckedElement& checked);
+  /// Precondition: the same criteria.
+  void add(const ElementCounts& other);
   std::size_t count(ElementVerdict verdict) const { return by_verdict[static_cast<std::size_t>(verdict)]; }
-  /// Elements whose last word is still open.
-  std::size_t open() const { return count(ElementVerdict::undecided) + count(ElementVerdict::regular); }
+};
+
+struct Summary : ElementCounts {
+  std::vector<const Criterion*> criteria;
+  MeshResult mesh;                      ///< of the elements as a whole
+  std::optional<DomainSummary> domain;  ///< if curves were given
+  double seconds = 0;
 };
 
 class Report {

@@ -1,11 +1,10 @@
 # What the library links. Also read by the installed bezcertConfig.cmake, so that consumers find the same.
 find_package(Boost 1.74 REQUIRED)
-find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 
 find_library(BEZCERT_GMP_LIBRARY gmp REQUIRED)
 find_library(BEZCERT_MPFR_LIBRARY mpfr REQUIRED)
-# FLINT factors polynomials (lib/bezcert/algebra); its header stays inside the library.
-find_library(BEZCERT_FLINT_LIBRARY flint REQUIRED)
+# SHA-256 (lib/bezcert/io/file).
+find_library(BEZCERT_NETTLE_LIBRARY nettle REQUIRED)
 find_path(BEZCERT_GMP_INCLUDE_DIR gmp.h REQUIRED)
 find_path(BEZCERT_MPFR_INCLUDE_DIR mpfr.h REQUIRED)
 # CGAL's interval arithmetic is header-only; its CMake package would bring compile flags along that we set ourselves.

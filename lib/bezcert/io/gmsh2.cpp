@@ -35,24 +35,129 @@ void read_element_line(GmshSource& source, GmshContent& content, std::vector<std
   content.add_element(type, tag, numbers);
 }
 
-// The same for a line that is written plainly; false if it is not, or if anything is wrong with it.
+// What a plain line of an element says before its nodes: number, type, and tags, which are skipped.
+struct ElementStart {
+  std::uint64_t tag = 0, type = 0;
+
+  bool read(PlainLine& line) {
+    std::uint64_t tags = 0, ignored = 0;
+    if (!line.natural(tag) || !line.natural(type) || !line.natural(tags)) return false;
+    for (std::uint64_t k = 0; k < tags; ++k) {
+      if (!line.natural(ignored)) return false;
+    }
+    return type <= 1000;
+  }
+  GmshType gmsh() const { return gmsh_type(static_cast<long>(type)); }
+};
+
+// A line that is written plainly; false if it is not, or if anything is wrong with it.
 bool read_plain_element(GmshSource& source, GmshContent& content, std::vector<std::uint64_t>& numbers) {
   PlainLine line = source.plain();
-  std::uint64_t tag = 0, number = 0, tags = 0, ignored = 0;
-  if (!line.natural(tag) || !line.natural(number) || !line.natural(tags) || number > 1000) return false;
-  const GmshType type = gmsh_type(static_cast<long>(number));
+  ElementStart start;
+  if (!start.read(line)) return false;
+  const GmshType type = start.gmsh();
   if (type.type_class != GmshClass::surface) return false;
-  for (std::uint64_t k = 0; k < tags; ++k) {
-    if (!line.natural(ignored)) return false;
-  }
   numbers.assign(static_cast<std::size_t>(type.nodes), 0);
   for (std::uint64_t& node : numbers) {
     if (!line.natural(node)) return false;
   }
   if (!line.ends()) return false;
   source.take_line(line);
-  content.add_element(type, tag, numbers);
+  content.add_element(type, start.tag, numbers);
   return true;
+}
+
+struct NodeLine {
+  std::uint64_t tag = 0;
+  double x = 0, y = 0, z = 0;
+
+  bool read(PlainLine& line) {
+    return line.natural(tag) && line.number(x) && line.number(y) && line.number(z);
+  }
+};
+
+// Nodes in one plane, written plainly; false if they are not, and nothing has been read.
+bool read_plain_nodes(GmshSource& source, GmshContent& content, std::size_t count) {
+  PlainLine peek = source.plain();
+  NodeLine first;
+  if (!first.read(peek)) return false;
+  const auto places = content.begin_nodes(count, first.z);
+  if (!places) return false;
+  std::vector<std::uint64_t> list(count);
+  const std::size_t line_before = source.line();
+  const bool read = source.read_plainly(count, content.parallel(), [&](PlainLine& line, std::size_t i) {
+    NodeLine node;
+    if (!node.read(line) || node.z != first.z) return false;
+    list[i] = node.tag;
+    places->x[i] = node.x;
+    places->y[i] = node.y;
+    return true;
+  });
+  if (read) {
+    NodeTags tags;
+    for (const std::uint64_t tag : list) tags.push_back(tag);
+    content.keep_nodes(tags, 0, count, line_before + 1, first.z);
+  } else {
+    content.drop_nodes(count);
+  }
+  return read;
+}
+
+void read_text_nodes(GmshSource& source, GmshContent& content, std::size_t count, bool parametric) {
+  constexpr std::size_t round = std::size_t{1} << 19;
+  const auto read_round = [&](std::size_t, std::size_t size) {
+    return read_plain_nodes(source, content, size);
+  };
+  read_rounds(count, round, read_round, [&](std::size_t i) {
+    PlainLine line = source.plain();
+    NodeLine node;
+    if (content.binary64() && node.read(line) && line.ends()) {
+      source.take_line(line);
+      return content.add_node(node.tag, node.x, node.y, node.z);
+    }
+    source.read_tokens("node " + std::to_string(i + 1) + " of " + std::to_string(count));
+    const auto& tokens = source.tokens();
+    if (!parametric || tokens.size() < 6) source.expect_tokens(4, "a node: number, x, y, z");
+    content.add_node(source.natural(0, "node number"), tokens[1], tokens[2], tokens[3]);
+  });
+}
+
+// Elements of one type, written plainly; false if they are not, and nothing has been read.
+bool read_plain_elements(GmshSource& source, GmshContent& content, std::size_t count) {
+  PlainLine peek = source.plain();
+  ElementStart first;
+  if (!first.read(peek)) return false;
+  const GmshType type = first.gmsh();
+  content.reserve_elements(type, count);
+  const auto places = content.begin_elements(type, count);
+  if (!places) return false;
+  const std::size_t line_before = source.line();
+  const bool read = source.read_plainly(count, content.parallel(), [&](PlainLine& line, std::size_t i) {
+    ElementStart start;
+    if (!start.read(line) || start.type != first.type) return false;
+    places->set(i, start.tag, line_before + 1 + i);
+    std::uint64_t node = 0;
+    for (std::size_t k = 0; k < places->order.size(); ++k) {
+      if (!line.natural(node) || !places->set_node(i, k, node)) return false;
+    }
+    return true;
+  });
+  if (!read) content.drop_elements(type, count);
+  return read;
+}
+
+void read_text_elements(GmshSource& source, GmshContent& content, std::size_t count) {
+  // Where types change lines are read one by one: that is to be few.
+  constexpr std::size_t round = std::size_t{1} << 13;
+  const auto read_round = [&](std::size_t, std::size_t size) {
+    return read_plain_elements(source, content, size);
+  };
+  std::vector<std::uint64_t> numbers;
+  read_rounds(count, round, read_round, [&](std::size_t i) {
+    if (read_plain_element(source, content, numbers)) return;
+    source.read_tokens("element " + std::to_string(i + 1) + " of " + std::to_string(count));
+    read_element_line(source, content, numbers);
+  });
 }
 
 }  // namespace
@@ -73,34 +178,14 @@ void read_gmsh2_nodes(GmshSource& source, GmshContent& content, bool parametric)
     return;
   }
   content.check_count(count, 8, "nodes");  // "1 0 0 0\n"
-  for (std::uint64_t i = 0; i < count; ++i) {
-    PlainLine line = source.plain();
-    std::uint64_t tag = 0;
-    double x = 0, y = 0, z = 0;
-    if (content.binary64() && line.natural(tag) && line.number(x) && line.number(y) && line.number(z) &&
-        line.ends()) {
-      source.take_line(line);
-      content.add_node(tag, x, y, z);
-      continue;
-    }
-    source.read_tokens("node " + std::to_string(i + 1) + " of " + std::to_string(count));
-    const auto& tokens = source.tokens();
-    if (!parametric || tokens.size() < 6) source.expect_tokens(4, "a node: number, x, y, z");
-    content.add_node(source.natural(0, "node number"), tokens[1], tokens[2], tokens[3]);
-  }
+  read_text_nodes(source, content, count, parametric);
 }
 
 void read_gmsh2_elements(GmshSource& source, GmshContent& content) {
   const std::uint64_t count = read_announced(source, "elements");
   if (!source.binary) {
     content.check_count(count, 6, "elements");
-    std::vector<std::uint64_t> numbers;
-    for (std::uint64_t i = 0; i < count; ++i) {
-      if (read_plain_element(source, content, numbers)) continue;
-      source.read_tokens("element " + std::to_string(i + 1) + " of " + std::to_string(count));
-      read_element_line(source, content, numbers);
-    }
-    return;
+    return read_text_elements(source, content, count);
   }
   content.check_count(count, 8, "elements");
   for (std::uint64_t done = 0; done < count;) {

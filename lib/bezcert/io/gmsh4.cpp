@@ -2,7 +2,8 @@
 #include "bezcert/io/gmsh_content.hpp"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
+#include <cmath>
 #include <span>
 
 namespace bezcert {
@@ -61,8 +62,11 @@ void check_all_read(GmshSource& source, std::uint64_t left, const std::string& w
   if (left > 0) source.fail("the blocks hold " + std::to_string(left) + " " + what + " fewer than announced");
 }
 
-// Lines that threads read side by side, and keep the numbers of, at a time.
-constexpr std::size_t round_size = 1 << 16;
+// Nodes or elements of a binary file that a thread takes in one go.
+constexpr std::size_t part = std::size_t{1} << 12;
+
+// Lines that are read again one by one if one of them is not plain.
+constexpr std::size_t round_size = std::size_t{1} << 19;
 
 // A line of as many natural numbers as there is room for.
 bool read_plainly(PlainLine& line, std::span<std::uint64_t> numbers) {
@@ -110,50 +114,148 @@ void read_element_line(GmshSource& source, GmshContent& content, const GmshType&
   content.add_element(type, numbers[0], numbers.subspan(1));
 }
 
+// The tags of a block's nodes, a line each: numbers that follow each other, nearly always.
+NodeTags read_tags(GmshSource& source, const Parallel& parallel, std::size_t count) {
+  NodeTags tags;
+  PlainLine peek = source.plain();
+  std::uint64_t first = 0;
+  const auto follows = [&](PlainLine& line, std::size_t i) {
+    std::uint64_t tag = 0;
+    return line.natural(tag) && tag == first + i;
+  };
+  if (peek.natural(first) && source.read_plainly(count, parallel, follows)) {
+    tags.append_consecutive(first, count);
+    return tags;
+  }
+  std::vector<std::uint64_t> list(count);
+  const auto read_round = [&](std::size_t begin, std::size_t size) {
+    return source.read_plainly(size, parallel,
+                               [&](PlainLine& line, std::size_t i) { return line.natural(list[begin + i]); });
+  };
+  read_rounds(count, round_size, read_round, [&](std::size_t i) { list[i] = read_tag(source); });
+  for (const std::uint64_t tag : list) tags.push_back(tag);
+  return tags;
+}
+
+void read_text_nodes(GmshSource& source, GmshContent& content, std::size_t count, std::size_t extra) {
+  const NodeTags tags = read_tags(source, content.parallel(), count);
+  const auto read_points = [&](std::size_t first, std::size_t size) {
+    if (extra != 0) return false;
+    PlainLine peek = source.plain();
+    double x = 0, y = 0, z = 0;
+    if (!peek.number(x) || !peek.number(y) || !peek.number(z)) return false;
+    const auto places = content.begin_nodes(size, z);
+    if (!places) return false;
+    const std::size_t line_before = source.line();
+    const bool read = source.read_plainly(size, content.parallel(), [&](PlainLine& line, std::size_t i) {
+      double height = 0;
+      return line.number(places->x[i]) && line.number(places->y[i]) && line.number(height) &&
+             height == places->z;
+    });
+    if (read) {
+      content.keep_nodes(tags, first, size, line_before + 1, z);
+    } else {
+      content.drop_nodes(size);
+    }
+    return read;
+  };
+  read_rounds(count, round_size, read_points,
+              [&](std::size_t i) { read_coordinates(source, content, tags[i], extra); });
+}
+
+void read_binary_nodes(GmshSource& source, GmshContent& content, std::size_t count, std::size_t extra) {
+  if (count == 0) return;
+  const std::size_t width = 8 * (3 + extra);  // coordinates and parameters
+  const char* const tag_bytes = source.take_bytes(8 * count);
+  const char* const bytes = source.next_bytes();
+  const auto tag = [&](std::size_t i) { return source.number_at<std::uint64_t>(tag_bytes + 8 * i); };
+  const auto number = [&](std::size_t i, std::size_t k) {
+    return source.number_at<double>(bytes + i * width + 8 * k);
+  };
+  const auto places = content.begin_nodes(count, number(0, 2));
+  std::atomic<bool> plain = places.has_value(), consecutive = true;
+  run_ranges(content.parallel(), places ? count : 0, part, [&](std::size_t begin, std::size_t end) {
+    bool all = true, follow = true;
+    for (std::size_t i = begin; i < end; ++i) {
+      follow &= tag(i) == tag(0) + i;
+      places->x[i] = number(i, 0);
+      places->y[i] = number(i, 1);
+      all &= std::isfinite(places->x[i]) && std::isfinite(places->y[i]) && number(i, 2) == places->z;
+    }
+    if (!all) plain = false;
+    if (!follow) consecutive = false;
+  });
+  if (plain) {
+    source.take_bytes(width * count);
+    NodeTags tags;
+    if (consecutive) {
+      tags.append_consecutive(tag(0), count);
+    } else {
+      for (std::size_t i = 0; i < count; ++i) tags.push_back(tag(i));
+    }
+    return content.keep_nodes(tags, 0, count, 0, places->z);
+  }
+  if (places) content.drop_nodes(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    source.take_bytes(width);
+    content.add_node(tag(i), number(i, 0), number(i, 1), number(i, 2));
+  }
+}
+
 void read_node_block(GmshSource& source, GmshContent& content, const Block& block) {
   const auto extra = static_cast<std::size_t>(block.third != 0 ? block.dimension : 0);
-  std::vector<std::uint64_t> tags;
-  if (source.binary) {
-    content.check_count(block.count, 8 + 8 * (3 + extra), "nodes");
-    tags.resize(block.count);
-    source.read_block(tags.size(), tags.data());
-    std::array<double, 6> numbers{};  // coordinates and parameters
-    for (const std::uint64_t tag : tags) {
-      source.read_block(3 + extra, numbers.data());
-      content.add_node(tag, numbers[0], numbers[1], numbers[2]);
-    }
-    return;
-  }
-  content.check_count(block.count, 8, "nodes");
-  const std::size_t count = block.count;
-  const Parallel& parallel = content.parallel();
-  const auto for_rounds = [&](auto round, auto each) {
-    for (std::size_t first = 0; first < count; first += round_size) {
-      const std::size_t size = std::min(round_size, count - first);
-      if (parallel && round(first, size)) continue;
-      for (std::size_t i = first; i < first + size; ++i) each(i);
-    }
+  content.check_count(block.count, source.binary ? 8 + 8 * (3 + extra) : 8, "nodes");
+  (source.binary ? read_binary_nodes : read_text_nodes)(source, content, block.count, extra);
+}
+
+void read_text_elements(GmshSource& source, GmshContent& content, const GmshType& type, const Block& block) {
+  const auto nodes = static_cast<std::size_t>(type.nodes);
+  std::vector<std::uint64_t> numbers(1 + nodes);  // the tag and the nodes
+  const auto read_round = [&](std::size_t, std::size_t size) {
+    const auto places = content.begin_elements(type, size);
+    if (!places) return false;
+    const std::size_t line_before = source.line();
+    const bool read = source.read_plainly(size, content.parallel(), [&](PlainLine& line, std::size_t i) {
+      std::uint64_t tag = 0;
+      if (!line.natural(tag)) return false;
+      places->set(i, tag, line_before + 1 + i);
+      for (std::size_t k = 0; k < nodes; ++k) {
+        if (!line.natural(tag) || !places->set_node(i, k, tag)) return false;
+      }
+      return true;
+    });
+    if (!read) content.drop_elements(type, size);
+    return read;
   };
-  tags.resize(count);
-  for_rounds(
-      [&](std::size_t first, std::size_t size) {
-        return source.read_plainly(
-            size, parallel, [&](PlainLine& line, std::size_t i) { return line.natural(tags[first + i]); });
-      },
-      [&](std::size_t i) { tags[i] = read_tag(source); });
-  std::vector<double> xyz;
-  for_rounds(
-      [&](std::size_t first, std::size_t size) {
-        if (!content.binary64() || extra != 0) return false;
-        xyz.resize(3 * size);
-        const std::size_t line_before = source.line();
-        const bool read = source.read_plainly(size, parallel, [&](PlainLine& line, std::size_t i) {
-          return line.number(xyz[3 * i]) && line.number(xyz[3 * i + 1]) && line.number(xyz[3 * i + 2]);
-        });
-        if (read) content.add_nodes(std::span(tags).subspan(first, size), xyz, line_before + 1);
-        return read;
-      },
-      [&](std::size_t i) { read_coordinates(source, content, tags[i], extra); });
+  read_rounds(block.count, round_size, read_round,
+              [&](std::size_t i) { read_element_line(source, content, type, block, i, numbers); });
+}
+
+void read_binary_elements(GmshSource& source, GmshContent& content, const GmshType& type, std::size_t count) {
+  const auto nodes = static_cast<std::size_t>(type.nodes);
+  const std::size_t width = 8 * (1 + nodes);  // the tag and the nodes
+  const char* const bytes = source.take_bytes(width * count);
+  const auto number = [&](std::size_t i, std::size_t k) {
+    return source.number_at<std::uint64_t>(bytes + i * width + 8 * k);
+  };
+  if (const auto places = content.begin_elements(type, count)) {
+    std::atomic<bool> plain = true;
+    run_ranges(content.parallel(), count, part, [&](std::size_t begin, std::size_t end) {
+      bool all = true;
+      for (std::size_t i = begin; i < end; ++i) {
+        places->set(i, number(i, 0), 0);
+        for (std::size_t k = 0; k < nodes; ++k) all &= places->set_node(i, k, number(i, 1 + k));
+      }
+      if (!all) plain = false;
+    });
+    if (plain) return;
+    content.drop_elements(type, count);
+  }
+  std::vector<std::uint64_t> numbers(nodes);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < nodes; ++k) numbers[k] = number(i, 1 + k);
+    content.add_element(type, number(i, 0), numbers);
+  }
 }
 
 void read_element_block(GmshSource& source, GmshContent& content, const Block& block) {
@@ -161,33 +263,10 @@ void read_element_block(GmshSource& source, GmshContent& content, const Block& b
   const auto nodes = static_cast<std::size_t>(type.nodes);
   content.check_count(block.count, source.binary ? 8 * (1 + nodes) : 2 * (1 + nodes), "elements");
   content.reserve_elements(type, block.count);
-  std::vector<std::uint64_t> numbers(1 + nodes);  // the tag and the nodes
   if (source.binary) {
-    for (std::uint64_t i = 0; i < block.count; ++i) {
-      source.read_block(numbers.size(), numbers.data());
-      content.add_element(type, numbers[0], std::span(numbers).subspan(1));
-    }
-    return;
-  }
-  const std::size_t width = numbers.size(), at_once = std::max<std::size_t>(1, round_size / width);
-  std::vector<std::uint64_t> many;
-  for (std::uint64_t first = 0; first < block.count; first += at_once) {
-    const std::size_t size = std::min<std::uint64_t>(at_once, block.count - first);
-    if (content.parallel()) {
-      many.resize(size * width);
-      const auto row = [&](std::size_t i) { return std::span(many).subspan(i * width, width); };
-      const std::size_t line_before = source.line();
-      if (source.read_plainly(size, content.parallel(),
-                              [&](PlainLine& line, std::size_t i) { return read_plainly(line, row(i)); })) {
-        for (std::size_t i = 0; i < size; ++i) {
-          content.add_element(type, row(i)[0], row(i).subspan(1), line_before + 1 + i);
-        }
-        continue;
-      }
-    }
-    for (std::uint64_t i = first; i < first + size; ++i) {
-      read_element_line(source, content, type, block, i, numbers);
-    }
+    read_binary_elements(source, content, type, block.count);
+  } else {
+    read_text_elements(source, content, type, block);
   }
 }
 

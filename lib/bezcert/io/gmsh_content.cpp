@@ -4,12 +4,19 @@
 #include "bezcert/number/parse.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <unordered_map>
 
 namespace bezcert {
+namespace {
+
+// What a thread looks at in one go.
+constexpr std::size_t part = std::size_t{1} << 15;
+
+}  // namespace
 
 void GmshContent::check_finite(double value, std::uint64_t tag) const {
   if (!std::isfinite(value)) {
@@ -30,11 +37,16 @@ void GmshContent::add_coordinate(ExactVector& to, std::string_view text, std::ui
            : "', expected a finite decimal number of at most 20000 characters and exponents up to 5000"));
 }
 
-void GmshContent::add_tag(std::uint64_t tag, std::size_t line) {
+// The line of the next node.
+void GmshContent::add_line(std::size_t line) {
   const std::size_t node = node_tags_.size();
   if (line > 0 && (node_lines_.empty() || line - node_lines_.back().line != node - node_lines_.back().node)) {
     node_lines_.push_back({node, line});
   }
+}
+
+void GmshContent::add_tag(std::uint64_t tag, std::size_t line) {
+  add_line(line);
   node_tags_.push_back(tag);
 }
 
@@ -81,14 +93,25 @@ void GmshContent::add_node(std::uint64_t tag, double x, double y, double z) {
   add_tag(tag, source_.line());
 }
 
-void GmshContent::add_nodes(std::span<const std::uint64_t> tags, std::span<const double> xyz,
-                            std::size_t line) {
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    mesh_.x.push_back(xyz[3 * i]);
-    mesh_.y.push_back(xyz[3 * i + 1]);
-    add_height(xyz[3 * i + 2]);
-    add_tag(tags[i], line + i);
-  }
+std::optional<GmshContent::NodePlaces> GmshContent::begin_nodes(std::size_t count, double z) {
+  if (!std::isfinite(z) || (!binary64() && !source_.binary)) return std::nullopt;
+  if (!mesh_.x.binary64() || !mesh_.y.binary64()) return std::nullopt;
+  if (!node_tags_.empty() && !(flat_ && *flat_ == z)) return std::nullopt;
+  return NodePlaces{mesh_.x.append_zeros(count), mesh_.y.append_zeros(count), z};
+}
+
+void GmshContent::keep_nodes(const NodeTags& tags, std::size_t first, std::size_t count, std::size_t line,
+                             double z) {
+  if (count == 0) return;
+  flat_ = z;
+  add_line(line);
+  if (tags.consecutive()) return node_tags_.append_consecutive(tags[first], count);
+  for (std::size_t i = first; i < first + count; ++i) node_tags_.push_back(tags[i]);
+}
+
+void GmshContent::drop_nodes(std::size_t count) {
+  mesh_.x.remove_last(count);
+  mesh_.y.remove_last(count);
 }
 
 void GmshContent::reserve_nodes(std::uint64_t count) {
@@ -137,8 +160,25 @@ const std::vector<std::size_t>& GmshContent::node_order(Shape shape) {
   return order;
 }
 
-void GmshContent::add_element(const GmshType& type, std::uint64_t tag, std::span<const std::uint64_t> nodes,
-                              std::size_t line) {
+std::optional<GmshContent::ElementPlaces> GmshContent::begin_elements(const GmshType& type,
+                                                                      std::size_t count) {
+  if (type.type_class != GmshClass::surface || !wide_.empty()) return std::nullopt;
+  const std::vector<std::size_t>& order = node_order(type.shape);
+  const std::size_t first_node = mesh_.connectivity.size(), first = mesh_.elements.size();
+  mesh_.connectivity.resize(first_node + count * order.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    mesh_.elements.push_back({type.shape, options_.basis, 0, 0, first_node + i * order.size()});
+  }
+  return ElementPlaces{std::span(mesh_.elements).subspan(first),
+                       std::span(mesh_.connectivity).subspan(first_node), order};
+}
+
+void GmshContent::drop_elements(const GmshType& type, std::size_t count) {
+  mesh_.elements.resize(mesh_.elements.size() - count);
+  mesh_.connectivity.resize(mesh_.connectivity.size() - count * static_cast<std::size_t>(type.nodes));
+}
+
+void GmshContent::add_element(const GmshType& type, std::uint64_t tag, std::span<const std::uint64_t> nodes) {
   switch (type.type_class) {
     case GmshClass::point: ++mesh_.ignored.points; return;
     case GmshClass::line: ++mesh_.ignored.lines; return;
@@ -148,7 +188,8 @@ void GmshContent::add_element(const GmshType& type, std::uint64_t tag, std::span
   }
   const std::size_t first = wide_.empty() ? mesh_.connectivity.size() : wide_.size();
   append_tags(nodes, node_order(type.shape));
-  mesh_.elements.push_back({type.shape, options_.basis, tag, static_cast<std::uint32_t>(line), first});
+  mesh_.elements.push_back(
+      {type.shape, options_.basis, tag, static_cast<std::uint32_t>(source_.line()), first});
 }
 
 void GmshContent::append_tags(std::span<const std::uint64_t> nodes, const std::vector<std::size_t>& order) {
@@ -189,6 +230,50 @@ struct GmshContent::NodeIndex {
   }
 };
 
+// Tags that are one run and heights that are one number: places are differences, found side by side. False,
+// and nothing has changed, if a tag is not a node's.
+bool GmshContent::place_consecutive(std::uint64_t first_tag) {
+  if (!wide_.empty() || !flat_) return false;
+  std::vector<std::uint32_t>& nodes = mesh_.connectivity;
+  const std::size_t count = node_tags_.size();
+  std::atomic<bool> known = true;
+  run_ranges(options_.parallel, nodes.size(), part, [&](std::size_t begin, std::size_t end) {
+    bool all = true;
+    for (std::size_t i = begin; i < end; ++i) all &= nodes[i] - first_tag < count;
+    if (!all) known = false;
+  });
+  if (!known || first_tag == 0) return known;
+  run_ranges(options_.parallel, nodes.size(), part, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) nodes[i] -= static_cast<std::uint32_t>(first_tag);
+  });
+  return true;
+}
+
+void GmshContent::place_each(const NodeIndex& index) {
+  std::optional<std::uint32_t> first;
+  if (!wide_.empty()) mesh_.connectivity.resize(wide_.size());
+  for (const MeshElement& element : mesh_.elements) {
+    const std::size_t end = element.first_node + coefficient_count(element.shape);
+    for (std::size_t k = element.first_node; k < end; ++k) {
+      const std::uint64_t tag = tag_at(k);
+      const std::uint32_t node = index.find(tag);
+      if (node == NodeIndex::none) {
+        source_.fail_at(element.line, "element " + std::to_string(element.tag) + " uses node " +
+                                          std::to_string(tag) + ", which $Nodes does not define");
+      }
+      if (!first) first = node;
+      if (!same_height(node, *first)) {
+        source_.fail_at(node_line(node), "the mesh is not planar: node " + std::to_string(tag) +
+                                             " has z = " + to_decimal(z_[node]) + ", node " +
+                                             std::to_string(node_tags_[*first]) +
+                                             " has z = " + to_decimal(z_[*first]) +
+                                             "; expected a mesh in a plane z = constant");
+      }
+      mesh_.connectivity[k] = node;
+    }
+  }
+}
+
 Mesh GmshContent::finish() {
   if (!has_nodes) source_.fail_at(0, "there is no $Nodes section");
   if (!has_elements) source_.fail_at(0, "there is no $Elements section");
@@ -215,28 +300,7 @@ Mesh GmshContent::finish() {
     }
   }
 
-  std::optional<std::uint32_t> first;
-  if (!wide_.empty()) mesh_.connectivity.resize(wide_.size());
-  for (const MeshElement& element : mesh_.elements) {
-    const std::size_t end = element.first_node + coefficient_count(element.shape);
-    for (std::size_t k = element.first_node; k < end; ++k) {
-      const std::uint64_t tag = tag_at(k);
-      const std::uint32_t node = index.find(tag);
-      if (node == NodeIndex::none) {
-        source_.fail_at(element.line, "element " + std::to_string(element.tag) + " uses node " +
-                                          std::to_string(tag) + ", which $Nodes does not define");
-      }
-      if (!first) first = node;
-      if (!same_height(node, *first)) {
-        source_.fail_at(node_line(node), "the mesh is not planar: node " + std::to_string(tag) +
-                                             " has z = " + to_decimal(z_[node]) + ", node " +
-                                             std::to_string(node_tags_[*first]) +
-                                             " has z = " + to_decimal(z_[*first]) +
-                                             "; expected a mesh in a plane z = constant");
-      }
-      mesh_.connectivity[k] = node;
-    }
-  }
+  if (index.consecutive == 0 || !place_consecutive(index.first)) place_each(index);
   mesh_.basis_name = options_.basis == Basis::lagrange ? "lagrange" : "bernstein";
   mesh_.numbers = options_.numbers;
   mesh_.node_tags = std::move(node_tags_);

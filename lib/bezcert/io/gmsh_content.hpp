@@ -22,8 +22,40 @@ class GmshContent {
   bool binary64() const { return options_.numbers == Numbers::binary64; }
   /// Threads that may help; empty: none.
   const Parallel& parallel() const { return options_.parallel; }
-  /// Adds nodes that are in consecutive lines, of which the first was `line`.
-  void add_nodes(std::span<const std::uint64_t> tags, std::span<const double> xyz, std::size_t line);
+
+  /// Places of nodes that come in one go, all with the height z: threads fill them with finite numbers, each
+  /// its own. Then they are kept, or dropped.
+  struct NodePlaces {
+    std::span<double> x, y;
+    double z = 0;
+  };
+  /// Nothing if nodes have to be added one by one: text means decimal numbers, heights differ,
+  /// or z is not finite.
+  std::optional<NodePlaces> begin_nodes(std::size_t count, double z);
+  /// Their tags are tags[first] ...; they are in consecutive lines from `line` on, or in none (0).
+  void keep_nodes(const NodeTags& tags, std::size_t first, std::size_t count, std::size_t line, double z);
+  void drop_nodes(std::size_t count);
+
+  /// The same for elements of one type, which are there once they are filled.
+  struct ElementPlaces {
+    std::span<MeshElement> elements;
+    std::span<std::uint32_t> nodes;
+    std::span<const std::size_t> order;
+
+    void set(std::size_t i, std::uint64_t tag, std::size_t line) const {
+      elements[i].tag = tag;
+      elements[i].line = static_cast<std::uint32_t>(line);
+    }
+    /// The k-th node in gmsh's order. False, and the elements are to be dropped, if its tag is too large.
+    bool set_node(std::size_t i, std::size_t k, std::uint64_t tag) const {
+      nodes[i * order.size() + order[k]] = static_cast<std::uint32_t>(tag);
+      return tag >> 32 == 0;
+    }
+  };
+  /// Nothing if elements have to be added one by one: they are ignored, or there are large tags.
+  std::optional<ElementPlaces> begin_elements(const GmshType& type, std::size_t count);
+  void drop_elements(const GmshType& type, std::size_t count);
+
   /// Room for so many more, if the file can hold them at all: an announced count may be anything.
   void reserve_nodes(std::uint64_t count);
   void reserve_elements(const GmshType& type, std::uint64_t count);
@@ -36,11 +68,7 @@ class GmshContent {
 
   /// Adds an element of a type with its node tags in gmsh's order. Cells that are ignored are counted, and
   /// their nodes need not be given.
-  void add_element(const GmshType& type, std::uint64_t tag, std::span<const std::uint64_t> nodes) {
-    add_element(type, tag, nodes, source_.line());
-  }
-  void add_element(const GmshType& type, std::uint64_t tag, std::span<const std::uint64_t> nodes,
-                   std::size_t line);
+  void add_element(const GmshType& type, std::uint64_t tag, std::span<const std::uint64_t> nodes);
 
   bool has_nodes = false;
   bool has_elements = false;
@@ -60,7 +88,11 @@ class GmshContent {
   void check_finite(double value, std::uint64_t tag) const;
   void add_coordinate(ExactVector& to, std::string_view text, std::uint64_t tag);
   void add_tag(std::uint64_t tag, std::size_t line);
+  void add_line(std::size_t line);
   void add_height(double z);
+  // Node tags of elements become places of nodes.
+  bool place_consecutive(std::uint64_t first_tag);
+  void place_each(const NodeIndex& index);
   bool same_height(std::uint32_t a, std::uint32_t b) const;
   std::size_t node_line(std::size_t node) const;
 

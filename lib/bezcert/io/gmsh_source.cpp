@@ -3,12 +3,9 @@
 #include "bezcert/io/printable.hpp"
 #include "bezcert/number/interval.hpp"
 
-#include <algorithm>
-#include <array>
 #include <atomic>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <system_error>
 
 namespace bezcert {
@@ -82,33 +79,12 @@ std::uint64_t GmshSource::natural(std::size_t token, std::string_view what) cons
 template <class T>
 T GmshSource::read(std::string_view what) {
   if (remaining() < sizeof(T)) fail("the file ends early: expected the " + std::string(what));
-  std::array<char, sizeof(T)> raw;
-  std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
-  if (swap_bytes) std::reverse(raw.begin(), raw.end());
-  at_ += sizeof(T);
-  T value;
-  std::memcpy(&value, raw.data(), sizeof(T));
-  return value;
+  return number_at<T>(take_bytes(sizeof(T)));
 }
 
 template std::int32_t GmshSource::read(std::string_view);
 template std::uint64_t GmshSource::read(std::string_view);
 template double GmshSource::read(std::string_view);
-
-template <class T>
-void GmshSource::read_block(std::size_t count, T* to) {
-  if (count == 0) return;  // `to` may be null
-  std::memcpy(to, bytes_.data() + at_, count * sizeof(T));
-  at_ += count * sizeof(T);
-  if (!swap_bytes) return;
-  for (std::size_t i = 0; i < count; ++i) {
-    char* raw = reinterpret_cast<char*>(to + i);
-    std::reverse(raw, raw + sizeof(T));
-  }
-}
-
-template void GmshSource::read_block(std::size_t, std::uint64_t*);
-template void GmshSource::read_block(std::size_t, double*);
 
 bool PlainLine::number(double& value) {
   skip_blanks();
@@ -132,28 +108,31 @@ void GmshSource::take_line(const PlainLine& line) {
 
 bool GmshSource::read_plainly(std::size_t count, const Parallel& parallel,
                               const std::function<bool(PlainLine&, std::size_t)>& read) {
-  constexpr std::size_t step = 2048;
-  std::vector<std::size_t> places;  // where every step-th line begins
-  std::size_t at = at_;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % step == 0) places.push_back(at);
-    const std::size_t end = bytes_.find('\n', at);
-    if (end == std::string_view::npos) return false;
-    at = end + 1;
-  }
-  std::atomic<bool> all = true;
-  parallel(places.size(), [&](std::size_t part) {
-    const NearestRounding nearest;  // of this thread
-    PlainLine line(bytes_.data() + places[part], bytes_.data() + at);
-    const std::size_t last = std::min(count, (part + 1) * step);
-    for (std::size_t i = part * step; i < last; ++i) {
-      if (read(line, i) && line.ends()) continue;
-      all = false;
-      return;
+  constexpr std::size_t part = 2048;
+  const char* const end = bytes_.data() + bytes_.size();
+  // Returns where the last of the lines ends, or null.
+  const auto read_lines = [&](std::size_t at, std::size_t first, std::size_t last) -> const char* {
+    PlainLine line(bytes_.data() + at, end);
+    for (std::size_t i = first; i < last; ++i) {
+      if (!read(line, i) || !line.ends()) return nullptr;
     }
-  });
-  if (!all) return false;
-  at_ = at;
+    return line.place();
+  };
+  if (!parallel || count <= part) {
+    const char* const behind = read_lines(at_, 0, count);
+    if (behind == nullptr) return false;
+    at_ = static_cast<std::size_t>(behind - bytes_.data());
+  } else {
+    if (!line_starts_) line_starts_.emplace(bytes_, parallel);
+    if (line_ + count > line_starts_->ends()) return false;
+    std::atomic<bool> all = true;
+    run_ranges(parallel, count, part, [&](std::size_t first, std::size_t last) {
+      const NearestRounding nearest;  // of this thread
+      if (read_lines(line_starts_->start(line_ + first), first, last) == nullptr) all = false;
+    });
+    if (!all) return false;
+    at_ = line_starts_->start(line_ + count);
+  }
   line_ += count;
   return true;
 }

@@ -2,9 +2,14 @@
 #pragma once
 
 #include "bezcert/io/input_error.hpp"
+#include "bezcert/io/line_starts.hpp"
 #include "bezcert/io/read.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +17,17 @@
 namespace bezcert {
 
 class PlainLine;
+
+/// Calls read_round(first, size) for [0, count) in rounds of at most `round`; where that returns false,
+/// read_one(i) for each.
+template <class Round, class One>
+void read_rounds(std::size_t count, std::size_t round, Round read_round, One read_one) {
+  for (std::size_t first = 0; first < count; first += round) {
+    const std::size_t size = std::min(round, count - first);
+    if (read_round(first, size)) continue;
+    for (std::size_t i = first; i < first + size; ++i) read_one(i);
+  }
+}
 
 class GmshSource {
  public:
@@ -45,14 +61,26 @@ class GmshSource {
   /// The lines from here on, to be read plainly; what was read is then to be taken.
   PlainLine plain() const;
   void take_line(const PlainLine& line);
-  /// Reads `count` lines plainly, read(line, i) the i-th, with the help of threads. Returns false, and
-  /// nothing has been read, if `read` or the end of a line does.
+  /// Reads `count` lines plainly, read(line, i) the i-th, from any thread. Returns false, and nothing has
+  /// been read, if `read` returns false or a line does not end behind what it read.
   bool read_plainly(std::size_t count, const Parallel& parallel,
                     const std::function<bool(PlainLine&, std::size_t)>& read);
 
-  /// `count` binary numbers. Precondition: the file has them.
+  /// The next bytes, so many. Precondition: the file has them.
+  const char* next_bytes() const { return bytes_.data() + at_; }
+  const char* take_bytes(std::size_t count) {
+    at_ += count;
+    return bytes_.data() + at_ - count;
+  }
+  /// The binary number at a place.
   template <class T>
-  void read_block(std::size_t count, T* to);
+  T number_at(const char* place) const {
+    T value;
+    std::memcpy(&value, place, sizeof(T));
+    if (swap_bytes)
+      std::reverse(reinterpret_cast<char*>(&value), reinterpret_cast<char*>(&value) + sizeof(T));
+    return value;
+  }
   /// A binary number.
   std::int32_t read_int32(std::string_view what) { return read<std::int32_t>(what); }
   std::uint64_t read_uint64(std::string_view what) { return read<std::uint64_t>(what); }
@@ -72,6 +100,7 @@ class GmshSource {
   std::size_t at_ = 0;
   std::size_t line_ = 0;
   std::vector<std::string_view> tokens_;
+  std::optional<LineStarts> line_starts_;  // once threads need it
 };
 
 /// The numbers of lines that are written plainly: separated by blanks, integers as 1 to 18 digits. What it

@@ -1,23 +1,20 @@
 // Reading a mesh file of any known format.
 #pragma once
 
+#include "bezcert/io/parallel.hpp"
 #include "bezcert/mesh/mesh.hpp"
 
-#include <functional>
 #include <string>
 #include <string_view>
 
 namespace bezcert {
-
-/// Runs work(i) for all i below a count, in any order or side by side.
-using Parallel = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 
 struct ReadOptions {
   /// What the points of a format mean that does not say it itself (.msh).
   Basis basis = Basis::lagrange;
   /// What text coordinates mean in a format that does not say it itself (.msh).
   Numbers numbers = Numbers::binary64;
-  /// Threads that may help; the mesh, and what is refused, do not depend on it. Empty: none.
+  /// Threads that may help; the mesh, and what is refused, do not depend on it.
   Parallel parallel = {};
 };
 

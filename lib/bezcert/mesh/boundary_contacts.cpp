@@ -4,8 +4,10 @@
 #include "bezcert/mesh/box_sweep.hpp"
 #include "bezcert/mesh/curve_parameters.hpp"
 #include "bezcert/mesh/edge_distance.hpp"
+#include "bezcert/mesh/one_way.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -34,24 +36,68 @@ bool run_together(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
   return true;
 }
 
+Joints joints_of(const MeshEdges& edges, const Gluing& gluing, EdgeUse a, EdgeUse b) {
+  return {gluing.end(edges, a) == gluing.begin[b], gluing.begin[a] == gluing.end(edges, b)};
+}
+
+// Whether two boundary edges whose boxes overlap have to be compared.
+bool may_meet(const MeshEdges& edges, const Gluing& gluing, const Fans& fans,
+              const std::optional<std::uint32_t>& element, EdgeUse a, EdgeUse b) {
+  if (edges.element(a) == edges.element(b)) return false;  // it is injective
+  if (element && edges.element(a) != *element && edges.element(b) != *element) return false;
+  // Edges that begin (or end) at one vertex are parts of different fans or of a gluing obstacle: already
+  // reported.
+  if (gluing.begin[a] == gluing.begin[b] || gluing.end(edges, a) == gluing.end(edges, b)) return false;
+  const Joints joints = joints_of(edges, gluing, a, b);
+  // Of the many edges at a vertex where parts touch only those of one part are compared: it is an obstacle
+  // already.
+  if (joints.end_to_begin && fans.bad[gluing.begin[b]] && fans.next_boundary[a] != b) return false;
+  if (joints.begin_to_end && fans.bad[gluing.begin[a]] && fans.next_boundary[b] != a) return false;
+  if (joints.end_to_begin == joints.begin_to_end) return true;
+  return joints.end_to_begin ? !run_one_way(edges, a, b) : !run_one_way(edges, b, a);
+}
+
+// Calls visit(a, b) for near edges until it returns false. Returns false if more than `limit` boxes overlap.
+bool for_near_edges(const MeshEdges& edges, const Gluing& gluing, const Fans& fans,
+                    const std::optional<std::uint32_t>& element, std::size_t limit,
+                    const std::function<bool(EdgeUse, EdgeUse)>& visit) {
+  std::vector<EdgeUse> uses;
+  std::vector<Box> boxes;
+  {
+    const RoundingScope scope;
+    for (EdgeUse use = 0; use < edges.count(); ++use) {
+      if (!gluing.is_boundary(use) || gluing.faulty[use]) continue;
+      uses.push_back(use);
+      boxes.push_back(edges.box(use));
+    }
+  }
+  std::size_t overlaps = 0;
+  for_overlapping_boxes(boxes, [&](std::size_t i, std::size_t j) {
+    if (++overlaps > limit) return false;
+    return !may_meet(edges, gluing, fans, element, uses[i], uses[j]) || visit(uses[i], uses[j]);
+  });
+  return overlaps <= limit;
+}
+
 class BoundaryCheck {
  public:
   BoundaryCheck(const MeshEdges& edges, const Gluing& gluing, const Fans& fans, const ContactBudget& budget,
                 ObstacleList& obstacles)
       : edges_(edges), gluing_(gluing), fans_(fans), budget_(budget), obstacles_(obstacles) {}
 
-  void run() {
-    std::vector<Box> boxes;
-    for (EdgeUse use = 0; use < edges_.count(); ++use) {
-      if (!gluing_.is_boundary(use) || gluing_.faulty[use]) continue;
-      const RoundingScope scope;
-      uses_.push_back(use);
-      boxes.push_back(edges_.box(use));
-    }
-    for_overlapping_boxes(boxes, [&](std::size_t i, std::size_t j) {
-      look_at(uses_[i], uses_[j]);
+  void run(const std::optional<std::vector<NearEdges>>& near) {
+    const auto look = [&](EdgeUse a, EdgeUse b) {
+      look_at(a, b);
       return found_ < ObstacleList::kept;
-    });
+    };
+    if (!near) {
+      constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+      for_near_edges(edges_, gluing_, fans_, obstacles_.element(), all, look);
+      return;
+    }
+    for (const auto& [a, b] : *near) {
+      if (!look(a, b)) return;
+    }
   }
 
  private:
@@ -59,18 +105,7 @@ class BoundaryCheck {
   std::uint32_t end(EdgeUse use) const { return gluing_.end(edges_, use); }
 
   void look_at(EdgeUse a, EdgeUse b) {
-    if (edges_.element(a) == edges_.element(b)) return;  // it is injective
-    const auto& asked = obstacles_.element();
-    if (asked && edges_.element(a) != *asked && edges_.element(b) != *asked) return;
-    // Edges that begin (or end) at one vertex are parts of different fans or of a gluing obstacle: already
-    // reported.
-    if (begin(a) == begin(b) || end(a) == end(b)) return;
-    const Joints joints{end(a) == begin(b), begin(a) == end(b)};
-    // Of the many edges at a vertex where parts touch only those of one part are compared: it is an obstacle
-    // already.
-    if (joints.end_to_begin && fans_.bad[end(a)] && fans_.next_boundary[a] != b) return;
-    if (joints.begin_to_end && fans_.bad[begin(a)] && fans_.next_boundary[b] != a) return;
-    const ContactResult result = find_contact(curve(a), curve(b), joints, budget_);
+    const ContactResult result = find_contact(curve(a), curve(b), joints_of(edges_, gluing_, a, b), budget_);
     if (result.status == ContactStatus::none) return;
     if (result.status == ContactStatus::open) return open(a, b, result.exhausted);
     const CurveNet<Integer> net_a = edges_.exact(a), net_b = edges_.exact(b);
@@ -273,7 +308,6 @@ class BoundaryCheck {
   const Fans& fans_;
   const ContactBudget& budget_;
   ObstacleList& obstacles_;
-  std::vector<EdgeUse> uses_;
   std::vector<EdgeUse> previous_;  // the inverse of next_boundary, once it is needed
   std::map<EdgeUse, DyadicCurve> curves_;
   EdgeUse last_ = no_edge;
@@ -285,9 +319,23 @@ class BoundaryCheck {
 
 }  // namespace
 
+std::optional<std::vector<NearEdges>> find_near_edges(const MeshEdges& edges, const Gluing& gluing,
+                                                      const Fans& fans,
+                                                      const std::optional<std::uint32_t>& element,
+                                                      std::size_t limit) {
+  std::vector<NearEdges> near;
+  const auto keep = [&](EdgeUse a, EdgeUse b) {
+    near.emplace_back(a, b);
+    return true;
+  };
+  if (!for_near_edges(edges, gluing, fans, element, limit, keep)) return std::nullopt;
+  return near;
+}
+
 void check_boundary(const MeshEdges& edges, const Gluing& gluing, const Fans& fans,
-                    const ContactBudget& budget, ObstacleList& obstacles) {
-  BoundaryCheck(edges, gluing, fans, budget, obstacles).run();
+                    const std::optional<std::vector<NearEdges>>& near, const ContactBudget& budget,
+                    ObstacleList& obstacles) {
+  BoundaryCheck(edges, gluing, fans, budget, obstacles).run(near);
 }
 
 }  // namespace bezcert

@@ -1,5 +1,6 @@
 #include "bezcert/mesh/boundary_loops.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace bezcert {
@@ -52,14 +53,23 @@ std::vector<BoundaryLoop> find_loops(const MeshEdges& edges, const Gluing& gluin
 
 std::vector<long> euler_characteristics(const MeshEdges& edges, const Gluing& gluing,
                                         const CornersByVertex& corners, const Components& components) {
+  const auto is_used = [&](std::size_t vertex) { return corners.start[vertex] != corners.start[vertex + 1]; };
+  const std::size_t vertices = corners.start.size() - 1;
+  if (components.count == 1) {  // no need to ask where each belongs
+    long used = 0;
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex) used += is_used(vertex) ? 1 : 0;
+    const auto uses = static_cast<long>(edges.count());
+    const auto boundary = static_cast<long>(std::count(gluing.twin.begin(), gluing.twin.end(), no_edge));
+    return {used - (uses + boundary) / 2 + static_cast<long>(edges.element_count())};
+  }
   std::vector<long> result(components.count, 0);
   for (EdgeUse use = 0; use < edges.count(); ++use) {
     const bool counted = gluing.is_boundary(use) || use < gluing.twin[use];
     if (counted) --result[components.of_element[edges.element(use)]];
   }
   for (const std::uint32_t component : components.of_element) ++result[component];
-  for (std::size_t vertex = 0; vertex + 1 < corners.start.size(); ++vertex) {
-    if (corners.start[vertex] == corners.start[vertex + 1]) continue;
+  for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+    if (!is_used(vertex)) continue;
     ++result[components.of_element[edges.element(corners.corners[corners.start[vertex]])]];
   }
   return result;

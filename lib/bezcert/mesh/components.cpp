@@ -141,13 +141,6 @@ long LoopFacts::extra_turns() const {
   return result;
 }
 
-LoopFacts measure_loops(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                        const Components& components, const std::vector<BoundaryLoop>& loops) {
-  LoopFacts facts{{}, euler_characteristics(edges, gluing, corners, components)};
-  for (const BoundaryLoop& loop : loops) facts.areas.push_back(loop_area(edges, loop));
-  return facts;
-}
-
 AreaBounds check_components(const MeshEdges& edges, const Gluing& gluing, const Components& components,
                             const std::vector<BoundaryLoop>& loops, const LoopFacts& facts,
                             ObstacleList& obstacles) {

@@ -16,10 +16,6 @@ struct LoopFacts {
   long extra_turns() const;
 };
 
-/// Precondition: loops are simple and disjoint.
-LoopFacts measure_loops(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                        const Components& components, const std::vector<BoundaryLoop>& loops);
-
 /// The area of all components, after checking that no component lies in another (overlapping_boundary).
 /// Preconditions: no obstacle so far, loops are simple and disjoint. Throws std::logic_error if a component
 /// has other loops than the theorem allows: one counter-clockwise, and as many as make its genus 0.

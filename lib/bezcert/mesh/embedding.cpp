@@ -1,6 +1,5 @@
 #include "bezcert/mesh/embedding.hpp"
 
-#include "bezcert/mesh/boundary_contacts.hpp"
 #include "bezcert/mesh/components.hpp"
 #include "bezcert/mesh/hanging.hpp"
 
@@ -39,6 +38,14 @@ MeshTopology::MeshTopology(const Mesh& mesh, std::optional<std::uint32_t> elemen
   find_hanging_nodes(edges_, corners_, gluing_, obstacles_);
   fans_ = link_fans(edges_, gluing_, corners_, obstacles_);
   components_ = find_components(edges_, gluing_);
+  wide_ = find_wide_fans(edges_, gluing_, corners_, fans_);
+  near_ = find_near_edges(edges_, gluing_, fans_, element, 1000 + 4 * edges_.count());
+  is_surface_ = std::find(fans_.bad.begin(), fans_.bad.end(), true) == fans_.bad.end();
+  if (!is_surface_) return;
+  loops_ = find_loops(edges_, gluing_, fans_, components_);
+  if (element || !obstacles_.empty()) return;
+  for (const BoundaryLoop& loop : loops_) areas_.push_back(plain_loop_area(edges_, loop));
+  characteristics_ = euler_characteristics(edges_, gluing_, corners_, components_);
 }
 
 MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states, const MeshOptions& options) {
@@ -49,7 +56,8 @@ MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states, 
 
 MeshResult examine_mesh(MeshTopology&& topology, std::span<const ElementState> states,
                         const MeshOptions& options) {
-  const auto& [known, edges, gluing, corners, fans, components] = topology;
+  const auto& [known, edges, gluing, corners, fans, components, wide, near, is_surface, loops, areas,
+               characteristics] = topology;
   const Mesh& mesh = edges.mesh();
   if (states.size() != mesh.elements.size())
     throw std::invalid_argument("examine_mesh: one state an element");
@@ -63,18 +71,20 @@ MeshResult examine_mesh(MeshTopology&& topology, std::span<const ElementState> s
                 obstacles);
   list_elements(mesh, states, ElementState::open, MeshVerdict::undecided, "not decided", obstacles);
   if (all_injective) {
-    check_open_fans(edges, gluing, corners, fans, obstacles);
-    check_boundary(edges, gluing, fans, options.contact, obstacles);
+    check_wide_fans(edges, gluing, corners, wide, obstacles);
+    check_boundary(edges, gluing, fans, near, options.contact, obstacles);
   }
-  std::vector<BoundaryLoop> loops;
-  if (std::find(fans.bad.begin(), fans.bad.end(), true) == fans.bad.end()) {
-    loops = find_loops(edges, gluing, fans, components);
+  if (is_surface) {
     result.loops = loops.size();
     result.holes = loops.size() - std::min(loops.size(), components.count);
   }
   std::optional<LoopFacts> facts;
   if (obstacles.empty() && !options.element) {
-    facts = measure_loops(edges, gluing, corners, components, loops);
+    facts.emplace();
+    facts->characteristics = characteristics;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      facts->areas.push_back(areas[i] ? *areas[i] : loop_area(edges, loops[i]));
+    }
   }
   // Loops that are simple and disjoint tell whether all turns inside are one; else each is looked at.
   if (all_injective && !(facts && facts->extra_turns() == 0)) {

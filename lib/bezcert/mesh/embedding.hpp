@@ -9,6 +9,7 @@
 #pragma once
 
 #include "bezcert/curve/contact.hpp"
+#include "bezcert/mesh/boundary_contacts.hpp"
 #include "bezcert/mesh/loop_area.hpp"
 #include "bezcert/mesh/vertex_fans.hpp"
 
@@ -66,6 +67,12 @@ class MeshTopology {
   CornersByVertex corners_;
   Fans fans_;
   Components components_;
+  std::vector<WideFan> wide_;
+  std::optional<std::vector<NearEdges>> near_;
+  bool is_surface_ = false;          // no vertex is bad; then also:
+  std::vector<BoundaryLoop> loops_;  // and, if there is no obstacle yet and the whole mesh is asked about:
+  std::vector<std::optional<LoopArea>> areas_;  // of each loop, where it is plain
+  std::vector<long> characteristics_;           // Euler's, of every component
 };
 
 /// Precondition: one state an element, and true: the theorem rests on it. Throws std::length_error beyond

@@ -86,7 +86,18 @@ int orientation_by_winding(const MeshEdges& edges, const BoundaryLoop& loop) {
 
 }  // namespace
 
+std::optional<LoopArea> plain_loop_area(const MeshEdges& edges, const BoundaryLoop& loop) {
+  constexpr std::size_t few = 16;
+  const auto is_plain = [&](EdgeUse use) {
+    return edges.nodes(use).size() <= few && has_plain_area(edges, use);
+  };
+  if (!std::all_of(loop.uses.begin(), loop.uses.end(), is_plain)) return std::nullopt;
+  const Rational area = plain_area(edges, loop.uses);
+  return LoopArea{{area, area}, area.sign()};
+}
+
 LoopArea loop_area(const MeshEdges& edges, const BoundaryLoop& loop) {
+  if (const auto plain = plain_loop_area(edges, loop)) return *plain;
   constexpr int deepest = 8;
   AreaBounds polynomial;
   std::vector<DyadicCurve> rational;

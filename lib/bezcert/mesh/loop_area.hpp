@@ -29,4 +29,8 @@ struct LoopArea {
 /// the chain is simple and closed.
 LoopArea loop_area(const MeshEdges& edges, const BoundaryLoop& loop);
 
+/// The same for a chain whose edges all have plain areas (polynomial_area.hpp) and few nodes, so that it
+/// takes little time: nothing for others. The chain need not be simple, but then its area means little.
+std::optional<LoopArea> plain_loop_area(const MeshEdges& edges, const BoundaryLoop& loop);
+
 }  // namespace bezcert

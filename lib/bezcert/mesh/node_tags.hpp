@@ -26,6 +26,17 @@ class NodeTags {
     ++size_;
   }
 
+  /// Appends first, first + 1, ..., so many.
+  void append_consecutive(std::uint64_t first, std::size_t count) {
+    if (count == 0) return;
+    push_back(first);
+    if (list_.empty()) {
+      size_ += count - 1;
+    } else {
+      for (std::size_t i = 1; i < count; ++i) push_back(first + i);
+    }
+  }
+
   bool operator==(const NodeTags&) const = default;
 
  private:

@@ -251,23 +251,32 @@ Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVert
   return result;
 }
 
-void check_open_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                     const Fans& fans, ObstacleList& obstacles) {
+std::vector<WideFan> find_wide_fans(const MeshEdges& edges, const Gluing& gluing,
+                                    const CornersByVertex& corners, const Fans& fans) {
   const TurnCounter counter(edges);
+  std::vector<WideFan> result;
   for (std::uint32_t vertex = 0; vertex < fans.bad.size(); ++vertex) {
     if (!fans.open[vertex] || fans.bad[vertex]) continue;
+    const int more = counter.compare_with_turn(fans_of(edges, gluing, corners, vertex).front());
+    if (more >= 0) result.push_back({vertex, more > 0});
+  }
+  return result;
+}
+
+void check_wide_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                     const std::vector<WideFan>& wide, ObstacleList& obstacles) {
+  for (const auto& [vertex, more] : wide) {
     const Fan fan = fans_of(edges, gluing, corners, vertex).front();
-    const int more = counter.compare_with_turn(fan);
-    if (more == 0) {
-      // The edge that leaves must be left of the one that arrives, seen from the vertex. (Where they run
-      // along each other the boundary is not simple: another obstacle.)
-      const EdgeUse leaving = fan.corners.front(), arriving = edges.previous(fan.corners.back());
-      if (compare_branches(edges.exact(leaving), reversed(edges.exact(arriving))) <= 0) continue;
-      add_folded(edges, vertex, fan, " make one full turn and cover a sliver twice at the boundary vertex ",
-                 obstacles);
-    }
-    if (more > 0)
+    if (more) {
       add_folded(edges, vertex, fan, " make more than one full turn around the boundary vertex ", obstacles);
+      continue;
+    }
+    // The edge that leaves must be left of the one that arrives, seen from the vertex. (Where they run along
+    // each other the boundary is not simple: another obstacle.)
+    const EdgeUse leaving = fan.corners.front(), arriving = edges.previous(fan.corners.back());
+    if (compare_branches(edges.exact(leaving), reversed(edges.exact(arriving))) <= 0) continue;
+    add_folded(edges, vertex, fan, " make one full turn and cover a sliver twice at the boundary vertex ",
+               obstacles);
   }
 }
 

@@ -35,13 +35,23 @@ std::vector<Fan> fans_of(const MeshEdges& edges, const Gluing& gluing, const Cor
 Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
                ObstacleList& obstacles);
 
-/// Adds a folded_vertex obstacle for every manifold vertex of the boundary with more than one turn. It may
-/// have exactly one (a cusp) if its two boundary edges leave a sliver out between them, not if the sliver is
-/// covered twice. Precondition: all elements are regular.
-void check_open_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
-                     const Fans& fans, ObstacleList& obstacles);
+/// A vertex of the boundary around which elements make a full turn, or more than one.
+struct WideFan {
+  std::uint32_t vertex = 0;
+  bool more = false;
+};
 
-/// The same for manifold vertices inside, which must have one turn.
+/// All of them, of manifold vertices. Means nothing where elements are not regular.
+std::vector<WideFan> find_wide_fans(const MeshEdges& edges, const Gluing& gluing,
+                                    const CornersByVertex& corners, const Fans& fans);
+
+/// Adds a folded_vertex obstacle for those with more than one turn. A vertex may have exactly one (a cusp) if
+/// its two boundary edges leave a sliver out between them, not if the sliver is covered twice. Precondition:
+/// all elements are regular.
+void check_wide_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
+                     const std::vector<WideFan>& wide, ObstacleList& obstacles);
+
+/// The same for all manifold vertices inside, which must have one turn.
 void check_closed_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
                        const Fans& fans, ObstacleList& obstacles);
 

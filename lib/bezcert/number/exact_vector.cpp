@@ -35,6 +35,11 @@ void ExactVector::push_back(double number) {
   }
 }
 
+std::span<double> ExactVector::append_zeros(std::size_t count) {
+  doubles_.resize(doubles_.size() + count);
+  return std::span(doubles_).last(count);
+}
+
 void ExactVector::become_rational() {
   if (!binary64_) return;
   binary64_ = false;
