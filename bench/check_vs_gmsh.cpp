@@ -52,7 +52,8 @@ Outcome decide_all(const Mesh& mesh) {
 void check_all(const Mesh& mesh, const std::vector<const Criterion*>& all) {
   constexpr std::size_t block = 256;
   for (std::size_t i = 0; i < mesh.elements.size(); i += block) {
-    certify::check_elements(mesh, i, std::min(i + block, mesh.elements.size()), all, {});
+    certify::check_elements(mesh, i, std::min(i + block, mesh.elements.size()), all, {}, Filter::on,
+                            [](std::size_t, const certify::CheckedElement&) {});
   }
 }
 
