@@ -66,7 +66,7 @@ class GmshSource {
   bool read_plainly(std::size_t count, const Parallel& parallel,
                     const std::function<bool(PlainLine&, std::size_t)>& read);
 
-  /// The next bytes, so many. Precondition: the file has them.
+  /// Where the next byte is; and the same, taking so many bytes. Precondition: the file has them.
   const char* next_bytes() const { return bytes_.data() + at_; }
   const char* take_bytes(std::size_t count) {
     at_ += count;
