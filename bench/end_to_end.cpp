@@ -80,8 +80,8 @@ GmshCost run_gmsh(const fs::path& mesh) {
     const Cost load = timed([&] { gmsh::merge(mesh); });
     const Cost check = timed(analyse_mesh_quality);
     gmsh::model::remove();
-    result.load = {std::min(result.load.wall, load.wall), std::min(result.load.cpu, load.cpu), 0};
-    result.check = {std::min(result.check.wall, check.wall), std::min(result.check.cpu, check.cpu), 0};
+    result.load = best(result.load, load);
+    result.check = best(result.check, check);
   }
   return result;
 }
@@ -208,9 +208,8 @@ void growth(double largest, const fs::path& mesh, const fs::path& report) {
     const OneAndTwo none = one_and_two(mesh, report, "none"), all = one_and_two(mesh, report, "all");
     const Cost& cost = none.one;
     std::printf(
-        "  %8.0f elements  %8.3f s (cpu %.3f)  %6.2f us each  memory %5.0f MB = %.2f of the file  two "
-        "threads "
-        "%.2f times one, with all criteria %.2f\n",
+        "  %8.0f elements  %8.3f s (cpu %.3f)  %6.2f us each  memory %5.0f MB = %.2f of the file  "
+        "two threads %.2f times one, with all criteria %.2f\n",
         elements, cost.wall, cost.cpu, 1e6 * cost.cpu / elements, none.megabytes(),
         none.megabytes() / megabytes(mesh), none.gain(), all.gain());
     std::fflush(stdout);

@@ -136,11 +136,7 @@ bool read_plain_elements(GmshSource& source, GmshContent& content, std::size_t c
     ElementStart start;
     if (!start.read(line) || start.type != first.type) return false;
     places->set(i, start.tag, line_before + 1 + i);
-    std::uint64_t node = 0;
-    for (std::size_t k = 0; k < places->order.size(); ++k) {
-      if (!line.natural(node) || !places->set_node(i, k, node)) return false;
-    }
-    return true;
+    return places->read_nodes(line, i);
   });
   if (!read) content.drop_elements(type, count);
   return read;

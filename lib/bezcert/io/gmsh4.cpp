@@ -209,8 +209,7 @@ void read_node_block(GmshSource& source, GmshContent& content, const Block& bloc
 }
 
 void read_text_elements(GmshSource& source, GmshContent& content, const GmshType& type, const Block& block) {
-  const auto nodes = static_cast<std::size_t>(type.nodes);
-  std::vector<std::uint64_t> numbers(1 + nodes);  // the tag and the nodes
+  std::vector<std::uint64_t> numbers(1 + static_cast<std::size_t>(type.nodes));  // the tag and the nodes
   const auto read_round = [&](std::size_t, std::size_t size) {
     const auto places = content.begin_elements(type, size);
     if (!places) return false;
@@ -219,10 +218,7 @@ void read_text_elements(GmshSource& source, GmshContent& content, const GmshType
       std::uint64_t tag = 0;
       if (!line.natural(tag)) return false;
       places->set(i, tag, line_before + 1 + i);
-      for (std::size_t k = 0; k < nodes; ++k) {
-        if (!line.natural(tag) || !places->set_node(i, k, tag)) return false;
-      }
-      return true;
+      return places->read_nodes(line, i);
     });
     if (!read) content.drop_elements(type, size);
     return read;

@@ -51,6 +51,14 @@ class GmshContent {
       nodes[i * order.size() + order[k]] = static_cast<std::uint32_t>(tag);
       return tag >> 32 == 0;
     }
+    /// All nodes, from a line written plainly. False, and the elements are to be dropped, if it is not.
+    bool read_nodes(PlainLine& line, std::size_t i) const {
+      std::uint64_t tag = 0;
+      for (std::size_t k = 0; k < order.size(); ++k) {
+        if (!line.natural(tag) || !set_node(i, k, tag)) return false;
+      }
+      return true;
+    }
   };
   /// Nothing if elements have to be added one by one: they are ignored, or there are large tags.
   std::optional<ElementPlaces> begin_elements(const GmshType& type, std::size_t count);
