@@ -3,7 +3,7 @@
 
 #include "bezcert/criterion/criterion.hpp"
 #include "bezcert/decide/decide.hpp"
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <functional>
 #include <span>

@@ -4,8 +4,8 @@
 // they say of an element is a function of it alone, so that threads can prepare it.
 #pragma once
 
-#include "bezcert/mesh/domain.hpp"
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/domain.hpp"
+#include "bezcert/surface/embedding.hpp"
 #include "cross_check.hpp"
 
 #include <array>

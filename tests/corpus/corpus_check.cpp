@@ -8,8 +8,8 @@
 #include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
-#include "bezcert/mesh/domain.hpp"
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/domain.hpp"
+#include "bezcert/surface/embedding.hpp"
 #include "bezcert/number/parse.hpp"
 #include "cross_check.hpp"
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "bezcert/decide/decide.hpp"
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <iosfwd>
 #include <string>

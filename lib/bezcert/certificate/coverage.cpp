@@ -4,7 +4,7 @@
 #include "bezcert/curve/same_curve.hpp"
 #include "bezcert/curve/separation.hpp"
 #include "bezcert/curve/winding.hpp"
-#include "bezcert/mesh/curve_parameters.hpp"
+#include "bezcert/curve/incidence.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // by short rationals.
 #pragma once
 
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <functional>
 #include <optional>

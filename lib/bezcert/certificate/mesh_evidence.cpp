@@ -2,7 +2,7 @@
 
 #include "bezcert/certificate/pair_evidence.hpp"
 #include "bezcert/certificate/refutation.hpp"
-#include "bezcert/mesh/box_sweep.hpp"
+#include "bezcert/curve/box_sweep.hpp"
 
 #include <algorithm>
 #include <map>

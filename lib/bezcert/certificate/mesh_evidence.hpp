@@ -6,7 +6,7 @@
 // verdict one refutation (refutation.hpp).
 #pragma once
 
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <iosfwd>
 #include <span>

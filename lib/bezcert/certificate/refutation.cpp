@@ -4,8 +4,8 @@
 #include "bezcert/certificate/meet_evidence.hpp"
 #include "bezcert/certificate/mesh_evidence.hpp"
 #include "bezcert/curve/same_curve.hpp"
-#include "bezcert/mesh/curve_parameters.hpp"
-#include "bezcert/mesh/element_frame.hpp"
+#include "bezcert/curve/incidence.hpp"
+#include "bezcert/surface/element_frame.hpp"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 // image, a vertex whose elements fall apart, or edges that are close to each other and yet different.
 #pragma once
 
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <optional>
 #include <span>

@@ -1,0 +1,20 @@
+// How far edges are apart that should be one: proven bounds for messages.
+#pragma once
+
+#include "bezcert/surface/obstacle.hpp"
+
+namespace bezcert {
+
+/// Bounds of the largest distance of a(t) to b(t), t in [0, 1]. The lower bound is attained at a dyadic
+/// parameter, up to rounding; the upper one is that of the control points of the difference on 64 pieces.
+DistanceBounds largest_distance(const CurveNet<Integer>& a, const CurveNet<Integer>& b);
+
+/// An upper bound of the distance of a point to a curve, that to the nearest of 65 of its points. The lower
+/// bound is 0.
+DistanceBounds distance_bounds(const CurveNet<Integer>& curve, const Point& point);
+
+/// Bounds of the square root of a number >= 0.
+Dyadic root_down(const Rational& square);
+Dyadic root_up(const Rational& square);
+
+}  // namespace bezcert

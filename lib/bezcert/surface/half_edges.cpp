@@ -1,0 +1,255 @@
+#include "bezcert/surface/half_edges.hpp"
+
+#include "bezcert/curve/separation.hpp"
+#include "bezcert/element/lagrange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace bezcert {
+namespace {
+
+const BasisChange& segment_change(std::size_t count) {
+  return lagrange_to_bernstein(Shape{Domain::segment, static_cast<int>(count) - 1, 0});
+}
+
+// x and y of the nodes over one factor: values[i] and values[count + i] times `scale`.
+ScaledIntegers common_coordinates(const Mesh& mesh, const EdgeNodes& nodes) {
+  const auto gather = [&]<class T>(auto number) {
+    std::vector<T> all;
+    for (const ExactVector* numbers : {&mesh.x, &mesh.y}) {
+      for (std::size_t i = 0; i < nodes.size(); ++i) all.push_back(number(*numbers, nodes[i]));
+    }
+    return scaled_integers(all);
+  };
+  if (mesh.x.binary64() && mesh.y.binary64()) {
+    return gather.operator()<double>(
+        [](const ExactVector& from, std::uint32_t i) { return from.doubles()[i]; });
+  }
+  return gather.operator()<Rational>([](const ExactVector& from, std::uint32_t i) { return from[i]; });
+}
+
+// Differences to an origin are taken first: of equal numbers they are exactly 0, and a straight edge along an
+// axis is seen as such without exact numbers.
+Interval difference(const ExactVector& numbers, std::uint32_t node, std::uint32_t origin) {
+  if (numbers.binary64()) return Interval(numbers.doubles()[node]) - Interval(numbers.doubles()[origin]);
+  return to_interval(Rational(numbers.rationals()[node] - numbers.rationals()[origin]));
+}
+
+std::vector<Interval> relative(const ExactVector& numbers, const EdgeNodes& nodes) {
+  std::vector<Interval> result;
+  result.reserve(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) result.push_back(difference(numbers, nodes[i], nodes[0]));
+  return result;
+}
+
+// The coefficients of the tangent at the beginning of an edge of so many nodes, times a positive number, as
+// doubles.
+std::vector<double> tangent_coefficients(Basis basis, std::size_t count) {
+  if (basis == Basis::bernstein) return {-1, 1};
+  std::vector<double> result(count, 0);
+  for (const auto& entry : segment_change(count).rows[1]) {
+    if (entry.interval.inf() != entry.interval.sup()) return {};
+    result[entry.column] = entry.interval.inf();
+  }
+  return result;
+}
+
+}  // namespace
+
+MeshEdges::MeshEdges(const Mesh& mesh) : mesh_(mesh) {
+  shape_.reserve(mesh.elements.size());
+  std::map<std::pair<Shape, Basis>, std::uint16_t> known;
+  const MeshElement* last = nullptr;
+  bool triangles = false, quadrilaterals = false;
+  for (const MeshElement& element : mesh.elements) {
+    const int edges = element.shape.domain == Domain::triangle ? 3 : 4;
+    (edges == 3 ? triangles : quadrilaterals) = true;
+    count_ += static_cast<std::size_t>(edges);
+    if (count_ >= no_edge) throw std::length_error("a mesh of more than 2^32 - 2 element edges");
+    if (last && last->shape == element.shape && last->basis == element.basis) {
+      shape_.push_back(shape_.back());
+      continue;
+    }
+    last = &element;
+    const auto [place, is_new] =
+        known.try_emplace({element.shape, element.basis}, static_cast<std::uint16_t>(shapes_.size()));
+    shape_.push_back(place->second);
+    if (!is_new) continue;
+    ShapeEdges& tables = shapes_.emplace_back();
+    tables.basis = element.basis;
+    for (int edge = 0; edge < edges; ++edge) {
+      const auto at = static_cast<std::size_t>(edge);
+      const std::vector<std::size_t> positions = edge_positions(element.shape, edge);
+      tables.along[at].assign(positions.begin(), positions.end());
+      tables.tangent[at] = tangent_coefficients(element.basis, positions.size());
+    }
+  }
+  if (shapes_.size() == 1) {
+    stride_ = coefficient_count(mesh.elements[0].shape);
+    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+      if (mesh.elements[i].first_node != i * stride_) stride_ = 0;
+    }
+  }
+  if (!triangles || !quadrilaterals) {
+    sides_ = triangles ? 3 : 4;
+    return;
+  }
+  first_.reserve(mesh.elements.size() + 1);
+  element_.reserve(count_);
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    first_.push_back(static_cast<EdgeUse>(element_.size()));
+    const std::size_t edges = mesh.elements[i].shape.domain == Domain::triangle ? 3 : 4;
+    element_.insert(element_.end(), edges, static_cast<std::uint32_t>(i));
+  }
+  first_.push_back(static_cast<EdgeUse>(count_));
+}
+
+bool MeshEdges::equal_weights(const EdgeNodes& nodes) const {
+  if (mesh_.weights.empty()) return true;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const bool equal = mesh_.weights.binary64()
+                           ? mesh_.weights.doubles()[nodes[i]] == mesh_.weights.doubles()[nodes[0]]
+                           : mesh_.weights.rationals()[nodes[i]] == mesh_.weights.rationals()[nodes[0]];
+    if (!equal) return false;
+  }
+  return true;
+}
+
+CurveNet<Integer> MeshEdges::exact(EdgeUse use) const {
+  const EdgeNodes along = nodes(use);
+  const std::size_t count = along.size();
+  ScaledIntegers coordinates = common_coordinates(mesh_, along);
+  const Integer multiple = numerator(coordinates.scale), unit = denominator(coordinates.scale);
+  CurveNet<Integer> net;
+  for (std::size_t i = 0; i < count; ++i) {
+    net.x.push_back(coordinates.values[i] * multiple);
+    net.y.push_back(coordinates.values[count + i] * multiple);
+  }
+  net.w.assign(count, unit);
+  if (!equal_weights(along)) {
+    std::vector<Rational> weights;
+    for (std::size_t i = 0; i < count; ++i) weights.push_back(mesh_.weights[along[i]]);
+    const std::vector<Integer> integers = scaled_integers(weights).values;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (auto* values : {&net.x, &net.y, &net.w}) (*values)[i] *= integers[i];
+    }
+  }
+  if (basis(use) == Basis::lagrange) {
+    // All three are multiplied by the matrix's denominator, which is the factor of the curve.
+    for (auto* values : {&net.x, &net.y, &net.w}) change_basis(segment_change(count), *values);
+  }
+  return net;
+}
+
+CurveNet<Interval> MeshEdges::interval(EdgeUse use) const {
+  const EdgeNodes along = nodes(use);
+  const std::size_t count = along.size();
+  const bool polynomial = equal_weights(along);
+  CurveNet<Interval> net;
+  if (basis(use) == Basis::lagrange && polynomial) {
+    const BasisChange& change = segment_change(count);
+    net.x = relative(mesh_.x, along);
+    net.y = relative(mesh_.y, along);
+    change_basis(change, net.x);
+    change_basis(change, net.y);
+    const Interval unit = to_interval(change.denominator);
+    const Interval x = mesh_.x.interval(along[0]), y = mesh_.y.interval(along[0]);
+    for (Interval& value : net.x) value = x + value / unit;
+    for (Interval& value : net.y) value = y + value / unit;
+    net.w.assign(count, Interval(1));
+    // The end points are nodes: exact.
+    net.x.front() = x;
+    net.y.front() = y;
+    net.x.back() = mesh_.x.interval(along.back());
+    net.y.back() = mesh_.y.interval(along.back());
+    return net;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t node = along[i];
+    const Interval w = polynomial ? Interval(1) : mesh_.weights.interval(node);
+    net.x.push_back(mesh_.x.interval(node) * w);
+    net.y.push_back(mesh_.y.interval(node) * w);
+    net.w.push_back(w);
+  }
+  if (basis(use) == Basis::lagrange) {
+    for (auto* values : {&net.x, &net.y, &net.w}) change_basis(segment_change(count), *values);
+  }
+  return net;
+}
+
+Box MeshEdges::box(EdgeUse use) const {
+  const CurveNet<Interval> net = interval(use);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Box box{infinite, -infinite, infinite, -infinite};
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    const Interval x = net.x[i] / net.w[i], y = net.y[i] / net.w[i];
+    const bool known = x.inf() <= x.sup() && y.inf() <= y.sup();
+    if (!known) return {-infinite, infinite, -infinite, infinite};  // a NaN: overflow
+    box = {std::min(box.x_low, x.inf()), std::max(box.x_high, x.sup()), std::min(box.y_low, y.inf()),
+           std::max(box.y_high, y.sup())};
+  }
+  return box;
+}
+
+Vector2<Interval> MeshEdges::interval_tangent(EdgeUse use, End end) const {
+  const EdgeNodes along = end == End::begin ? nodes(use) : nodes(use).reversed();
+  const auto to = [&](std::size_t i) {
+    return Vector2<Interval>{difference(mesh_.x, along[i], along[0]),
+                             difference(mesh_.y, along[i], along[0])};
+  };
+  // The weights of the first two control points only scale it.
+  if (basis(use) == Basis::bernstein) return to(1);
+  if (equal_weights(along)) {
+    Vector2<Interval> result{Interval(0), Interval(0)};
+    for (const auto& entry : segment_change(along.size()).rows[1]) {
+      const Vector2<Interval> d = to(entry.column);
+      result.x += entry.interval * d.x;
+      result.y += entry.interval * d.y;
+    }
+    return result;
+  }
+  const CurveNet<Interval> net = interval(use);
+  const std::size_t last = net.size() - 1;
+  return end == End::begin ? between(net, 0, net, 1) : between(net, last, net, last - 1);
+}
+
+// The tangent's coordinate is S = sum of c_j (x_j - x_0) over m nodes, c_j integers. With v = 2^-52, the
+// error of one operation in any rounding mode: each term is rounded twice (a product of a multiple of 2^-1074
+// with an integer does not underflow) and takes part in at most m - 1 additions, so |s - S| <= ((1 + v)^(m+1)
+// - 1) A with A = sum |c_j (x_j - x_0)|, and A <= a (1 - v)^-(m+1) for the sum a of the computed terms'
+// sizes. For m <= 65 both factors together are below (m + 2) v; the test takes twice that, which covers its
+// own rounding. a = 0 if all differences are 0, exactly. After an overflow a is infinite or s no number:
+// nothing is said.
+std::optional<int> MeshEdges::tangent_sign(EdgeUse use, End end, int coordinate) const {
+  const ExactVector& numbers = coordinate == 0 ? mesh_.x : mesh_.y;
+  if (!numbers.binary64()) return std::nullopt;
+  const std::vector<double>& c = shapes_[shape_of(element(use))].tangent[static_cast<std::size_t>(edge(use))];
+  if (c.empty()) return std::nullopt;
+  const EdgeNodes along = end == End::begin ? nodes(use) : nodes(use).reversed();
+  if (!mesh_.weights.empty() && basis(use) == Basis::lagrange && !equal_weights(along)) return std::nullopt;
+  const double* x = numbers.doubles().data();
+  const double origin = x[along[0]];
+  double sum = 0, size = 0;
+  for (std::size_t j = 1; j < c.size(); ++j) {
+    const double term = c[j] * (x[along[j]] - origin);
+    sum += term;
+    size += std::abs(term);
+  }
+  if (size == 0) return 0;
+  constexpr double v = 0x1p-52;
+  const double bound = 2 * static_cast<double>(c.size() + 2) * v * size;
+  if (sum > bound) return 1;
+  if (sum < -bound) return -1;
+  return std::nullopt;
+}
+
+Vector2<Integer> MeshEdges::exact_tangent(EdgeUse use, End end) const {
+  const CurveNet<Integer> net = exact(use);
+  const std::size_t last = net.size() - 1;
+  return end == End::begin ? between(net, 0, net, 1) : between(net, last, net, last - 1);
+}
+
+}  // namespace bezcert
