@@ -38,8 +38,9 @@ void write_reproducer(const std::string& input, const MeshElement& entry, const 
             << '\n';
 }
 
-DomainSummary check_domain_of(const Mesh& mesh, const std::string& file, std::span<const InputCurve> curves) {
-  DomainSummary result{file, {}, check_domain(mesh, curves)};
+DomainSummary check_domain_of(const Surface& surface, const std::string& file,
+                              std::span<const InputCurve> curves) {
+  DomainSummary result{file, {}, check_domain(surface, curves)};
   for (const InputCurve& curve : curves) result.names.push_back(curve.name);
   return result;
 }
@@ -154,15 +155,15 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, std::s
                        progress.done(summary.elements);
                      });
                });
-  summary.mesh = examine_mesh(std::move(*topology), states, {options.budget.contact, std::nullopt});
+  summary.mesh = examine_mesh(*topology, states, options.budget.contact);
   if (proof) {
-    proof->mesh(mesh, summary.mesh);
+    proof->mesh(summary.mesh);
     if (proof->without_evidence() > 0) {
       std::cerr << "certify: " << options.certificate << ": " << proof->without_evidence()
                 << " verdicts without evidence: it would exceed the limits of the format\n";
     }
   }
-  if (!options.domain.empty()) summary.domain = check_domain_of(mesh, options.domain, curves);
+  if (!options.domain.empty()) summary.domain = check_domain_of(topology->surface(), options.domain, curves);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.end(mesh, summary);
   return summary;

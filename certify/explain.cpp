@@ -147,8 +147,8 @@ void print_mesh_obstacles(const Mesh& mesh, std::size_t index, const CheckedElem
   std::cout << "in the mesh\n";
   std::size_t listed = 0;
   for (const MeshObstacle& obstacle : result.obstacles.all()) {
-    if (obstacle.kind == MeshVerdict::invalid_element) continue;  // said above of this one
-    std::cout << "  " << name(obstacle.kind) << ": " << describe(obstacle) << '\n';
+    if (obstacle.kind() == MeshVerdict::invalid_element) continue;  // said above of this one
+    std::cout << "  " << name(obstacle.kind()) << ": " << describe(mesh, obstacle) << '\n';
     ++listed;
   }
   if (listed == 0) std::cout << "  no obstacle names this element\n";

@@ -1,5 +1,7 @@
 #include "mesh_json.hpp"
 
+#include "bezcert/report/obstacle_text.hpp"
+
 namespace bezcert::certify {
 namespace {
 
@@ -19,11 +21,11 @@ Json node_numbers(const Mesh& mesh, const std::vector<std::uint32_t>& nodes) {
 
 Json obstacle_object(const Mesh& mesh, const MeshObstacle& obstacle, const ObstacleList& all) {
   Json object;
-  object["obstacle"] = name(obstacle.kind);
+  object["obstacle"] = name(obstacle.kind());
   // One object stands for all invalid elements.
-  if (obstacle.kind == MeshVerdict::invalid_element) object["count"] = all.count(obstacle.kind);
+  if (obstacle.kind() == MeshVerdict::invalid_element) object["count"] = all.count(obstacle.kind());
   object["elements"] = element_numbers(mesh, obstacle.elements);
-  if (obstacle.kind == MeshVerdict::invalid_element) return object;
+  if (obstacle.kind() == MeshVerdict::invalid_element) return object;
   if (!obstacle.edges.empty()) {
     object["edges"] = Json::array();
     for (const ElementEdge& edge : obstacle.edges) {
@@ -39,8 +41,8 @@ Json obstacle_object(const Mesh& mesh, const MeshObstacle& obstacle, const Obsta
     object["distance"] = {{"lower", to_string(to_rational(obstacle.distance->lower))},
                           {"upper", to_string(to_rational(obstacle.distance->upper))}};
   }
-  object["message"] = obstacle.message;
-  if (!obstacle.hint.empty()) object["hint"] = obstacle.hint;
+  object["message"] = message(mesh, obstacle);
+  if (const std::string cause = hint(obstacle); !cause.empty()) object["hint"] = cause;
   return object;
 }
 
@@ -81,7 +83,7 @@ Json domain_object(const Mesh& mesh, const DomainSummary& domain) {
     one["point"] = point_array(failure.point);
     if (!failure.nodes.empty()) one["nodes"] = node_numbers(mesh, failure.nodes);
     one["elements"] = element_numbers(mesh, failure.elements);
-    one["message"] = failure.message;
+    one["message"] = message(mesh, failure);
     object["failures"].push_back(one);
   }
   return object;

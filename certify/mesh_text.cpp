@@ -1,6 +1,7 @@
 #include "mesh_text.hpp"
 
 #include "bezcert/io/printable.hpp"
+#include "bezcert/report/obstacle_text.hpp"
 
 namespace bezcert::certify {
 namespace {
@@ -23,15 +24,16 @@ std::string area_text(const AreaBounds& area) {
 
 }  // namespace
 
-std::string describe(const MeshObstacle& obstacle) {
-  return obstacle.message + (obstacle.hint.empty() ? "" : "; " + obstacle.hint);
+std::string describe(const Mesh& mesh, const MeshObstacle& obstacle) {
+  const std::string cause = hint(obstacle);
+  return message(mesh, obstacle) + (cause.empty() ? "" : "; " + cause);
 }
 
-std::vector<std::string> mesh_lines(const MeshResult& result) {
+std::vector<std::string> mesh_lines(const Mesh& mesh, const MeshResult& result) {
   std::vector<std::string> lines;
   for (const MeshObstacle& obstacle : result.obstacles.all()) {
-    if (obstacle.kind == MeshVerdict::invalid_element) continue;  // each has a line of its own already
-    lines.push_back(std::string(name(obstacle.kind)) + ": " + describe(obstacle));
+    if (obstacle.kind() == MeshVerdict::invalid_element) continue;  // each has a line of its own already
+    lines.push_back(std::string(name(obstacle.kind())) + ": " + describe(mesh, obstacle));
   }
   for (const MeshVerdict kind : {MeshVerdict::non_manifold, MeshVerdict::non_conforming,
                                  MeshVerdict::folded_vertex, MeshVerdict::overlapping_boundary}) {
@@ -49,7 +51,7 @@ std::vector<std::string> mesh_lines(const MeshResult& result) {
   return lines;
 }
 
-std::vector<std::string> domain_lines(const DomainSummary& domain) {
+std::vector<std::string> domain_lines(const Mesh& mesh, const DomainSummary& domain) {
   std::vector<std::string> lines;
   const std::string file = "domain " + domain.file;
   for (const DomainFailure& failure : domain.result.failures) {
@@ -57,7 +59,7 @@ std::vector<std::string> domain_lines(const DomainSummary& domain) {
     std::string line = file + ": curve " + std::to_string(failure.curve + 1);
     if (!curve_name.empty()) line += " \"" + printable(curve_name, 80) + "\"";
     line += " is covered up to t = " + to_decimal(failure.parameter) + " only, at " + text_of(failure.point) +
-            ": " + failure.message;
+            ": " + message(mesh, failure);
     lines.push_back(line);
   }
   lines.push_back(file + ": " + (domain.result.conforming() ? "conforming, " : "not_conforming, ") +

@@ -10,12 +10,12 @@ namespace bezcert::certify {
 
 /// "non_conforming: ...; hint" for every obstacle kept but invalid elements, then "mesh: embedding, 1
 /// component, ...".
-std::vector<std::string> mesh_lines(const MeshResult& result);
+std::vector<std::string> mesh_lines(const Mesh& mesh, const MeshResult& result);
 
 /// One line an uncovered curve, then "domain FILE: conforming, 4 of 4 curves covered".
-std::vector<std::string> domain_lines(const DomainSummary& domain);
+std::vector<std::string> domain_lines(const Mesh& mesh, const DomainSummary& domain);
 
 /// One obstacle without its kind: message and hint.
-std::string describe(const MeshObstacle& obstacle);
+std::string describe(const Mesh& mesh, const MeshObstacle& obstacle);
 
 }  // namespace bezcert::certify

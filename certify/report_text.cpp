@@ -45,9 +45,10 @@ class TextReport : public Report {
     stream_ << '\n';
     for (std::size_t i = 0; i < summary.criteria.size(); ++i)
       criterion(*summary.criteria[i], summary.by_criterion[i]);
-    for (const std::string& line : mesh_lines(summary.mesh)) stream_ << input_ << ": " << line << '\n';
+    for (const std::string& line : mesh_lines(mesh, summary.mesh)) stream_ << input_ << ": " << line << '\n';
     if (!summary.domain) return;
-    for (const std::string& line : domain_lines(*summary.domain)) stream_ << input_ << ": " << line << '\n';
+    for (const std::string& line : domain_lines(mesh, *summary.domain))
+      stream_ << input_ << ": " << line << '\n';
   }
 
  private:

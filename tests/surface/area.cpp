@@ -33,7 +33,7 @@ Mesh ring(const Rational& inner, const Rational& outer) {
 }  // namespace
 
 TEST_CASE("the area between two circles is enclosed") {
-  const MeshResult result = examine(ring(1, 2));
+  const Examined result = examine(ring(1, 2));
   INFO(text_of(result));
   CHECK(result.verdict == MeshVerdict::embedding);
   CHECK(result.holes == std::size_t{1});
@@ -82,7 +82,7 @@ TEST_CASE("a hole so thin that only the winding number tells its orientation") {
   builder.triangle(a, left, low, 2);
   builder.triangle(b, right, high, 2);
   builder.triangle(b, low, right, 2);
-  const MeshResult result = examine(builder.build());
+  const Examined result = examine(builder.build());
   INFO(text_of(result));
   CHECK(result.verdict == MeshVerdict::embedding);
   CHECK(result.holes == std::size_t{1});

@@ -45,7 +45,8 @@ Mesh above_parabola(const std::vector<Rational>& cuts, const Rational& nudge = 0
 }
 
 DomainResult check(const Mesh& mesh, const std::vector<InputCurve>& curves) {
-  return check_domain(mesh, curves);
+  ObstacleList obstacles;
+  return check_domain(Surface(mesh, obstacles), curves);
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ TEST_CASE("curves covered by edges, forwards, backwards, raised and reparametris
   };
   const DomainResult result = check(mesh, curves);
   for (const DomainFailure& failure : result.failures) {
-    INFO("curve " << failure.curve << " at " << failure.parameter << ": " << failure.message);
+    INFO("curve " << failure.curve << " at " << failure.parameter << ": " << message(mesh, failure));
     CHECK(false);
   }
   CHECK(result.covered == curves.size());
@@ -100,12 +101,12 @@ TEST_CASE("where the coverage stops, and why") {
   CHECK(result.failures[0].parameter == Rational(1, 3));
   CHECK(result.failures[0].point == Point{4, Rational(4, 3)});
   CHECK(result.failures[0].elements == std::vector<std::uint32_t>{0, 1});
-  CHECK(result.failures[0].message.find("of element 2") != std::string::npos);
+  CHECK(message(mesh, result.failures[0]).find("of element 2") != std::string::npos);
   CHECK(result.failures[1].parameter == 0);
   CHECK(result.failures[1].elements.empty());
   // The top ends between nodes: covered up to the last node before.
   CHECK(result.failures[2].parameter == Rational(60, 77));
-  CHECK(result.failures[2].message.find("ends at (11, 6)") != std::string::npos);
+  CHECK(message(mesh, result.failures[2]).find("ends at (11, 6)") != std::string::npos);
   CHECK(result.failures[3].parameter == 0);
 }
 

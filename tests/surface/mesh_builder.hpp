@@ -2,10 +2,11 @@
 #pragma once
 
 #include "bezcert/decide/decide.hpp"
-#include "bezcert/surface/embedding.hpp"
+#include "bezcert/report/obstacle_text.hpp"
 
 #include <array>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -157,23 +158,29 @@ class MeshBuilder {
   std::vector<std::pair<Shape, std::vector<Node>>> elements_;
 };
 
+/// A result with the mesh that its surface refers to.
+struct Examined : MeshResult {
+  std::shared_ptr<const Mesh> mesh;
+};
+
 /// The verdict with every element decided first.
-inline MeshResult examine(const Mesh& mesh) {
+inline Examined examine(Mesh given) {
+  const auto mesh = std::make_shared<const Mesh>(std::move(given));
   std::vector<ElementState> states;
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    const Element element = mesh.element(i);
+  for (std::size_t i = 0; i < mesh->elements.size(); ++i) {
+    const Element element = mesh->element(i);
     const ElementVerdict verdict = decide(Forms(element)).verdict;
     states.push_back(verdict == ElementVerdict::injective ? ElementState::injective
                      : is_invalid(verdict)                ? ElementState::invalid
                                                           : ElementState::open);
   }
-  return examine_mesh(mesh, states);
+  return {examine_mesh(*mesh, states), mesh};
 }
 
-inline std::string text_of(const MeshResult& result) {
+inline std::string text_of(const Examined& result) {
   std::string text(name(result.verdict));
   for (const MeshObstacle& obstacle : result.obstacles.all()) {
-    text += "\n  " + std::string(name(obstacle.kind)) + ": " + obstacle.message;
+    text += "\n  " + std::string(name(obstacle.kind())) + ": " + message(*result.mesh, obstacle);
   }
   return text;
 }
@@ -181,9 +188,13 @@ inline std::string text_of(const MeshResult& result) {
 /// The first obstacle of the verdict's kind.
 inline MeshObstacle first_obstacle(const MeshResult& result) {
   for (const MeshObstacle& obstacle : result.obstacles.all()) {
-    if (obstacle.kind == result.verdict) return obstacle;
+    if (obstacle.kind() == result.verdict) return obstacle;
   }
   return {};
+}
+
+inline std::string first_message(const Examined& result) {
+  return message(*result.mesh, first_obstacle(result));
 }
 
 }  // namespace bezcert::test

@@ -34,9 +34,9 @@ MeshBuilder scattered(Random& random, int squares, long size) {
   return builder;
 }
 
-std::vector<std::string> messages(const ObstacleList& list) {
+std::vector<std::string> messages(const Mesh& mesh, const ObstacleList& list) {
   std::vector<std::string> result;
-  for (const MeshObstacle& one : list.all()) result.push_back(one.message);
+  for (const MeshObstacle& one : list.all()) result.push_back(message(mesh, one));
   return result;
 }
 
@@ -51,24 +51,21 @@ TEST_CASE("near edges hold all contacts, and obstacles do not depend on when the
     const long size = random.chance(30) ? 40 : random.integer(1, 6);
     const Mesh mesh = scattered(random, 6, size).build();
     REQUIRE(mesh.x.binary64());
-    const MeshEdges edges(mesh);
     ObstacleList gluing_obstacles;
-    const Gluing gluing = glue(edges, gluing_obstacles);
-    const CornersByVertex corners = corners_by_vertex(edges, gluing);
-    const Fans fans = link_fans(edges, gluing, corners, gluing_obstacles);
-    const auto all = find_near_edges(edges, gluing, fans, std::nullopt, 100000);
+    const Surface surface(mesh, gluing_obstacles);
+    const auto all = find_near_edges(surface, std::nullopt, 100000);
     REQUIRE(all);
-    for (EdgeUse p = 0; p < edges.count(); ++p) {
-      for (EdgeUse q = p + 1; q < edges.count(); ++q) {
-        if (!gluing.is_boundary(p) || !gluing.is_boundary(q) || edges.element(p) == edges.element(q))
+    for (HalfEdge p = 0; p < surface.count(); ++p) {
+      for (HalfEdge q = p + 1; q < surface.count(); ++q) {
+        if (!surface.is_boundary(p) || !surface.is_boundary(q) || surface.element(p) == surface.element(q))
           continue;
-        if (gluing.begin[p] == gluing.begin[q] || gluing.end(edges, p) == gluing.end(edges, q)) continue;
-        const Joints joints{gluing.end(edges, p) == gluing.begin[q], gluing.begin[p] == gluing.end(edges, q)};
+        if (surface.begin(p) == surface.begin(q) || surface.end(p) == surface.end(q)) continue;
+        const Joints joints{surface.end(p) == surface.begin(q), surface.begin(p) == surface.end(q)};
         std::optional<DyadicCurve> a, b;
         {
           const RoundingScope scope;
-          a.emplace(edges.curve(p));
-          b.emplace(edges.curve(q));
+          a.emplace(surface.curve(p));
+          b.emplace(surface.curve(q));
         }
         const bool meet = find_contact(*a, *b, joints).status == ContactStatus::contact;
         const bool near = std::find(all->begin(), all->end(), NearEdges{p, q}) != all->end();
@@ -80,14 +77,14 @@ TEST_CASE("near edges hold all contacts, and obstacles do not depend on when the
     for (const std::uint32_t element : {0U, 5U}) {
       std::vector<NearEdges> expected;
       for (const auto& [p, q] : *all) {
-        if (edges.element(p) == element || edges.element(q) == element) expected.emplace_back(p, q);
+        if (surface.element(p) == element || surface.element(q) == element) expected.emplace_back(p, q);
       }
-      CHECK(find_near_edges(edges, gluing, fans, element, 100000) == expected);
+      CHECK(find_near_edges(surface, element, 100000) == expected);
     }
     ObstacleList known, found;
-    check_boundary(edges, gluing, fans, all, {}, known);
-    check_boundary(edges, gluing, fans, std::nullopt, {}, found);
-    CHECK(messages(known) == messages(found));
+    check_boundary(surface, all, {}, known);
+    check_boundary(surface, std::nullopt, {}, found);
+    CHECK(messages(mesh, known) == messages(mesh, found));
     ++(known.empty() ? clear : met);
   }
   CHECK(clear > 20);
@@ -102,12 +99,10 @@ TEST_CASE("near edges hold all contacts, and obstacles do not depend on when the
 TEST_CASE("near edges are given up where too many boxes overlap") {
   Random random(7);
   const Mesh mesh = scattered(random, 6, 1).build();
-  const MeshEdges edges(mesh);
   ObstacleList none;
-  const Gluing gluing = glue(edges, none);
-  const Fans fans = link_fans(edges, gluing, corners_by_vertex(edges, gluing), none);
-  CHECK(find_near_edges(edges, gluing, fans, std::nullopt, 100000));
-  CHECK_FALSE(find_near_edges(edges, gluing, fans, std::nullopt, 20));
+  const Surface surface(mesh, none);
+  CHECK(find_near_edges(surface, std::nullopt, 100000));
+  CHECK_FALSE(find_near_edges(surface, std::nullopt, 20));
 }
 
 }  // namespace bezcert::test

@@ -94,8 +94,8 @@ void attack(std::uint64_t seed, int cases) {
   int proved = 0, not_so = 0, open = 0;
   for (int i = 0; i < cases; ++i) {
     const Mesh mesh = two_edges(random);
-    const MeshEdges edges(mesh);
-    const EdgeUse p = 0, q = 3;
+    const HalfEdges edges(mesh);
+    const HalfEdge p = 0, q = 3;
     const EdgeNodes from = edges.nodes(p), to = edges.nodes(q);
     constexpr std::array modes = {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO};
     const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
@@ -145,7 +145,7 @@ TEST_CASE("edges run one way only if they do exactly: 10 million cases", "[.nigh
 }
 
 TEST_CASE("edges that turn back do not run one way") {
-  const auto ask = [](const Mesh& mesh) { return run_one_way(MeshEdges(mesh), 0, 3); };
+  const auto ask = [](const Mesh& mesh) { return run_one_way(HalfEdges(mesh), 0, 3); };
   CHECK(ask(straight(Basis::bernstein, {{0, 0}, {1, 0}}, {{1, 0}, {2, 0}})));
   CHECK(ask(straight(Basis::lagrange, {{0, 0}, {0.5, 0.25}, {1, 0}}, {{1, 0}, {1.5, 0.25}, {2, 1}})));
   CHECK_FALSE(ask(straight(Basis::bernstein, {{0, 0}, {1, 0}}, {{1, 0}, {0.5, 0}})));  // back on itself
@@ -158,7 +158,7 @@ TEST_CASE("edges that turn back do not run one way") {
 }
 
 TEST_CASE("where doubles do not tell, nothing is said") {
-  const auto ask = [](const Mesh& mesh) { return run_one_way(MeshEdges(mesh), 0, 3); };
+  const auto ask = [](const Mesh& mesh) { return run_one_way(HalfEdges(mesh), 0, 3); };
   const Mesh plain = straight(Basis::bernstein, {{0, 0}, {1, 0}}, {{1, 0}, {2, 0}});
   Mesh mesh = plain;
   for (const double weight : {2, 2, 1, 2, 2, 1}) mesh.weights.push_back(weight);

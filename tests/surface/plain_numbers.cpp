@@ -73,13 +73,13 @@ void attack_tangents(std::uint64_t seed, int elements) {
   int unknown = 0;
   for (int i = 0; i < elements; ++i) {
     const Mesh mesh = random_mesh(random);
-    const MeshEdges edges(mesh);
+    const HalfEdges edges(mesh);
     INFO("seed " << seed << " case " << i);
-    for (EdgeUse use = 0; use < edges.count(); ++use) {
+    for (HalfEdge h = 0; h < edges.count(); ++h) {
       for (const End end : {End::begin, End::end}) {
-        const Vector2<Integer> exact = edges.exact_tangent(use, end);
+        const Vector2<Integer> exact = edges.exact_tangent(h, end);
         for (const int coordinate : {0, 1}) {
-          const std::optional<int> sign = edges.tangent_sign(use, end, coordinate);
+          const std::optional<int> sign = edges.tangent_sign(h, end, coordinate);
           if (sign) REQUIRE(*sign == (coordinate == 0 ? exact.x : exact.y).sign());
           ++(sign ? known[*sign] : unknown);
         }
@@ -107,16 +107,16 @@ TEST_CASE("areas from doubles are exact") {
   Random random(seed);
   for (int i = 0; i < 600; ++i) {
     const Mesh mesh = random_mesh(random);
-    const MeshEdges edges(mesh);
+    const HalfEdges edges(mesh);
     BoundaryLoop loop;
     Rational expected = 0;
-    for (EdgeUse use = 0; use < edges.count(); ++use) {
-      loop.uses.push_back(use);
-      REQUIRE(has_plain_area(edges, use));
-      expected += area_beside(edges.exact(use));
+    for (HalfEdge h = 0; h < edges.count(); ++h) {
+      loop.edges.push_back(h);
+      REQUIRE(has_plain_area(edges, h));
+      expected += area_beside(edges.exact(h));
     }
     INFO("seed " << seed << " case " << i);
-    REQUIRE(plain_area(edges, loop.uses) == expected);
+    REQUIRE(plain_area(edges, loop.edges) == expected);
     REQUIRE(loop_area(edges, loop).bounds.lower == expected);
   }
 }

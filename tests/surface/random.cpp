@@ -106,7 +106,7 @@ Mesh relabelled(const MeshBuilder& builder, Random& random) {
   return mesh;
 }
 
-bool has_invalid_elements(const MeshResult& result) {
+bool has_invalid_elements(const Examined& result) {
   return result.obstacles.count(MeshVerdict::invalid_element) > 0;
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("random embeddings stay so under affine maps and relabelling") {
   for (int n = 0; n < 120; ++n) {
     Grid grid = random_grid(random, random.chance(50));
     const Mesh mesh = grid.builder.build();
-    const MeshResult result = examine(mesh);
+    const Examined result = examine(mesh);
     INFO("seed " << seed << " case " << n << ": " << text_of(result));
     if (has_invalid_elements(result)) {
       ++invalid;
@@ -130,7 +130,7 @@ TEST_CASE("random embeddings stay so under affine maps and relabelling") {
     rational += result.area->is_exact() ? 0 : 1;
     CHECK(result.holes == std::size_t{0});
 
-    const MeshResult other = examine(relabelled(grid.builder, random));
+    const Examined other = examine(relabelled(grid.builder, random));
     CHECK(other.verdict == MeshVerdict::embedding);
     CHECK(examine(grid.builder.build(false)).verdict == MeshVerdict::embedding);
     if (result.area->is_exact()) CHECK(other.area->lower == result.area->lower);
@@ -140,7 +140,7 @@ TEST_CASE("random embeddings stay so under affine maps and relabelling") {
     const Rational determinant = m[0] * m[3] - m[1] * m[2];
     if (determinant.sign() == 0) continue;
     transform(grid.builder, m);
-    const MeshResult image = examine(grid.builder.build());
+    const Examined image = examine(grid.builder.build());
     if (determinant.sign() < 0) {
       ++mirrored;
       CHECK(image.verdict == MeshVerdict::invalid_element);
@@ -168,7 +168,7 @@ TEST_CASE("one control point moved on one side of an edge breaks an embedding") 
     MeshBuilder& b = grid.builder;
     const Rational step(1, Integer(1) << static_cast<unsigned>(random.integer(3, 60)));
     b.replace(grid.cell[{column, 1}], from, b.node(b.x(from) + step, b.y(from) - step, b.weight(from)));
-    const MeshResult result = examine(b.build());
+    const Examined result = examine(b.build());
     INFO("seed " << seed << " case " << n << ": " << text_of(result));
     if (has_invalid_elements(result)) {
       ++invalid;
@@ -198,7 +198,7 @@ TEST_CASE("a boundary point moved across a slot and over an edge breaks an embed
     // inner points of the edges that end there stay.
     const Node corner = grid.at[{1, grid.high}];
     grid.builder.x(corner) += 11;
-    const MeshResult result = examine(grid.builder.build());
+    const Examined result = examine(grid.builder.build());
     INFO("seed " << seed << " case " << n << ": " << text_of(result));
     if (has_invalid_elements(result)) {
       ++invalid;

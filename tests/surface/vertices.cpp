@@ -62,7 +62,7 @@ TEST_CASE("elements that touch in one node only make it pinched") {
     const Node a = builder.node(0, 0);
     builder.triangle(a, builder.node(2, 0), builder.node(2, 2));
     builder.triangle(a, builder.node(-2, 0), builder.node(-2, -2));
-    const MeshResult result = examine(builder.build(by_nodes));
+    const Examined result = examine(builder.build(by_nodes));
     INFO(text_of(result));
     CHECK(result.verdict == MeshVerdict::non_manifold);
     CHECK(first_obstacle(result).elements == std::vector<std::uint32_t>{0, 1});
@@ -74,15 +74,15 @@ TEST_CASE("elements that touch in one node only make it pinched") {
 
 TEST_CASE("a closed fan winds once or twice around its node") {
   for (const int degree : {1, 2, 3}) {
-    const MeshResult once = examine(fan(4, true, degree).build());
+    const Examined once = examine(fan(4, true, degree).build());
     INFO(text_of(once));
     CHECK(once.verdict == MeshVerdict::embedding);
-    const MeshResult twice = examine(fan(8, true, degree).build());
+    const Examined twice = examine(fan(8, true, degree).build());
     INFO(text_of(twice));
     CHECK(twice.verdict == MeshVerdict::folded_vertex);
     CHECK(first_obstacle(twice).elements.size() == 8);
     CHECK(first_obstacle(twice).nodes == std::vector<std::uint32_t>{0});
-    CHECK(first_obstacle(twice).message.find("2 times") != std::string::npos);
+    CHECK(first_message(twice).find("2 times") != std::string::npos);
   }
   CHECK(examine(fan(12, true, 1).build()).verdict == MeshVerdict::folded_vertex);
 }
@@ -90,10 +90,10 @@ TEST_CASE("a closed fan winds once or twice around its node") {
 TEST_CASE("an open fan has less than a turn, a turn, or more") {
   CHECK(examine(fan(4, false, 1).build()).verdict == MeshVerdict::embedding);  // three right angles
   // Five of them: the last lies on the first.
-  const MeshResult over = examine(fan(6, false, 1).build());
+  const Examined over = examine(fan(6, false, 1).build());
   CHECK(over.verdict == MeshVerdict::folded_vertex);
   // Exactly a turn: the last edge runs along the first, whose end (2, 0) hangs on it.
-  const MeshResult turn = examine(fan(5, false, 1).build());
+  const Examined turn = examine(fan(5, false, 1).build());
   INFO(text_of(turn));
   CHECK(turn.verdict == MeshVerdict::non_conforming);
   CHECK(turn.obstacles.count(MeshVerdict::folded_vertex) == 0);
@@ -101,14 +101,14 @@ TEST_CASE("an open fan has less than a turn, a turn, or more") {
 }
 
 TEST_CASE("a cusp may leave a sliver out, not cover it twice") {
-  const MeshResult right = examine(aerofoil(false).build());
+  const Examined right = examine(aerofoil(false).build());
   INFO(text_of(right));
   CHECK(right.verdict == MeshVerdict::embedding);
   REQUIRE(right.area);
   // The hexagon has area 15; between each parabola and its chord there is 1/3.
   CHECK(right.area->lower == Rational(47, 3));
   CHECK(right.area->is_exact());
-  const MeshResult wrong = examine(aerofoil(true).build());
+  const Examined wrong = examine(aerofoil(true).build());
   INFO(text_of(wrong));
   CHECK(wrong.verdict == MeshVerdict::folded_vertex);
   CHECK(first_obstacle(wrong).nodes == std::vector<std::uint32_t>{0});

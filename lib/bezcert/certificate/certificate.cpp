@@ -125,9 +125,9 @@ void CertificateWriter::element(const ElementClaim& claim) {
   stream_ << claims_.size() << ' ' << claim.text << '\n';
 }
 
-void CertificateWriter::mesh(const Mesh& mesh, const MeshResult& result) {
+void CertificateWriter::mesh(const MeshResult& result) {
   if (claims_.size() != count_) throw std::logic_error("certificate: fewer elements than its header says");
-  if (!write_mesh_evidence(stream_, mesh, result, claims_)) ++without_evidence_;
+  if (!write_mesh_evidence(stream_, result, claims_)) ++without_evidence_;
   stream_ << "end\n";
 }
 

@@ -43,7 +43,7 @@ class CertificateWriter {
   void element(const ElementClaim& claim);
 
   /// The claim of the mesh and the end. Preconditions: `result` is examine_mesh's; all elements were written.
-  void mesh(const Mesh& mesh, const MeshResult& result);
+  void mesh(const MeshResult& result);
 
   /// Verdicts that the certificate does not claim in full.
   std::size_t without_evidence() const { return without_evidence_; }

@@ -7,7 +7,7 @@
 // "Cusps".
 #pragma once
 
-#include "bezcert/curve/dyadic_curve.hpp"
+#include "bezcert/curve/curve_net.hpp"
 
 namespace bezcert {
 

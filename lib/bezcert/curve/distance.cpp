@@ -1,6 +1,6 @@
 #include "bezcert/curve/distance.hpp"
 
-#include "bezcert/bernstein/multinomial.hpp"
+#include "bezcert/curve/dyadic_curve.hpp"
 
 #include <algorithm>
 
@@ -9,38 +9,14 @@ namespace {
 
 constexpr int halvings = 6;
 
-// The Bernstein coefficients of f g, number k times C(m + n, k): convolution of the coefficients so scaled.
-std::vector<Integer> scaled_product(const std::vector<Integer>& f, const std::vector<Integer>& g) {
-  const int m = static_cast<int>(f.size()) - 1, n = static_cast<int>(g.size()) - 1;
-  std::vector<Integer> result(f.size() + g.size() - 1, 0);
-  for (int i = 0; i <= m; ++i) {
-    for (int j = 0; j <= n; ++j) {
-      result[static_cast<std::size_t>(i + j)] +=
-          binomial(m, i) * f[static_cast<std::size_t>(i)] * (binomial(n, j) * g[static_cast<std::size_t>(j)]);
-    }
-  }
-  return result;
-}
-
-// The curve a - b: (X1 W2 - X2 W1, Y1 W2 - Y2 W1, W1 W2), times the least common multiple of the binomials,
-// which makes their division exact.
+// The curve a - b: (X1 W2 - X2 W1, Y1 W2 - Y2 W1, W1 W2).
 CurveNet<Integer> difference(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
   const auto minus = [](std::vector<Integer> f, const std::vector<Integer>& g) {
     for (std::size_t k = 0; k < f.size(); ++k) f[k] -= g[k];
     return f;
   };
-  CurveNet<Integer> result;
-  result.x = minus(scaled_product(a.x, b.w), scaled_product(a.w, b.x));
-  result.y = minus(scaled_product(a.y, b.w), scaled_product(a.w, b.y));
-  result.w = scaled_product(a.w, b.w);
-  const int degree = static_cast<int>(result.size()) - 1;
-  Integer common = 1;
-  for (int k = 0; k <= degree; ++k) common = lcm(common, binomial(degree, k));
-  for (int k = 0; k <= degree; ++k) {
-    const Integer factor = common / binomial(degree, k);
-    for (auto* values : {&result.x, &result.y, &result.w}) (*values)[static_cast<std::size_t>(k)] *= factor;
-  }
-  return result;
+  return from_scaled({minus(scaled_product(a.x, b.w), scaled_product(a.w, b.x)),
+                      minus(scaled_product(a.y, b.w), scaled_product(a.w, b.y)), scaled_product(a.w, b.w)});
 }
 
 // The square of the distance of control point k to the origin.

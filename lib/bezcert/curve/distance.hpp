@@ -1,9 +1,15 @@
-// How far edges are apart that should be one: proven bounds for messages.
+// How far curves are apart that should be one: proven bounds.
 #pragma once
 
-#include "bezcert/surface/obstacle.hpp"
+#include "bezcert/curve/curve_net.hpp"
+#include "bezcert/number/outward.hpp"
 
 namespace bezcert {
+
+/// Proven bounds of a distance.
+struct DistanceBounds {
+  Dyadic lower, upper;
+};
 
 /// Bounds of the largest distance of a(t) to b(t), t in [0, 1]. The lower bound is attained at a dyadic
 /// parameter, up to rounding; the upper one is that of the control points of the difference on 64 pieces.

@@ -5,8 +5,8 @@
 // with `sign_of`; `filtered` runs it on intervals and, if any sign is uncertain, again on integers.
 #pragma once
 
+#include "bezcert/curve/curve_net.hpp"
 #include "bezcert/number/interval.hpp"
-#include "bezcert/number/rational.hpp"
 
 #include <deque>
 #include <functional>
@@ -14,14 +14,6 @@
 #include <vector>
 
 namespace bezcert {
-
-/// Homogeneous control points of a curve, in order.
-template <class T>
-struct CurveNet {
-  std::vector<T> x, y, w;
-
-  std::size_t size() const { return x.size(); }
-};
 
 /// Thrown by `sign_of` inside `filtered` when an interval holds numbers of several signs.
 struct UncertainSign {};

@@ -1,7 +1,6 @@
 #include "bezcert/curve/incidence.hpp"
 
 #include "bezcert/algebra/real_root.hpp"
-#include "bezcert/number/scaled.hpp"
 
 #include <algorithm>
 
@@ -18,11 +17,6 @@ Univariate equation(const CurveNet<Integer>& curve, const Point& point) {
     return from_bernstein(result);
   };
   return gcd(difference(curve.x, point.x), difference(curve.y, point.y));
-}
-
-// De Casteljau's step at t = p / q, times q.
-void step(std::vector<Integer>& values, std::size_t count, const Integer& p, const Integer& rest) {
-  for (std::size_t i = 0; i + 1 < count; ++i) values[i] = rest * values[i] + p * values[i + 1];
 }
 
 }  // namespace
@@ -51,30 +45,25 @@ std::vector<Rational> rational_parameters(const CurveNet<Integer>& curve, const 
   return result;
 }
 
-CurveNet<Integer> part_of(const CurveNet<Integer>& curve, const Rational& lower, const Rational& upper) {
-  const std::size_t count = curve.size();
-  const Integer common = lcm(Integer(denominator(lower)), Integer(denominator(upper)));
-  const Integer a = Integer(numerator(lower)) * (common / denominator(lower));
-  const Integer b = Integer(numerator(upper)) * (common / denominator(upper));
-  const auto part = [&](const std::vector<Integer>& values) {
-    // Every value takes count - 1 steps, so all have the same factor common^(count - 1).
-    std::vector<Integer> result;
-    for (std::size_t k = 0; k < count; ++k) {
-      std::vector<Integer> polar = values;
-      for (std::size_t s = 0; s + 1 < count; ++s) {
-        const Integer& at = s < k ? b : a;
-        step(polar, count - s, at, common - at);
-      }
-      result.push_back(polar[0]);
-    }
-    return result;
+bool run_together(const CurveNet<Integer>& a, const CurveNet<Integer>& b) {
+  const auto is_on = [](const CurveNet<Integer>& curve, const Point& point) {
+    return point == point_at(curve, 0) || point == point_at(curve, 1) || passes_inside(curve, point);
   };
-  return {part(curve.x), part(curve.y), part(curve.w)};
-}
-
-Point point_at(const CurveNet<Integer>& curve, const Rational& t) {
-  const CurveNet<Integer> there = part_of(curve, t, t);
-  return {Rational(there.x[0], there.w[0]), Rational(there.y[0], there.w[0])};
+  std::vector<Rational> on_b;
+  if (is_on(a, point_at(b, 0))) on_b.push_back(0);
+  if (is_on(a, point_at(b, 1))) on_b.push_back(1);
+  for (const int end : {0, 1}) {
+    for (const Rational& t : rational_parameters(b, point_at(a, end), 0)) on_b.push_back(t);
+  }
+  std::sort(on_b.begin(), on_b.end());
+  if (on_b.empty() || on_b.front() == on_b.back()) return false;
+  // More common points than the product of the degrees: by Bezout one irreducible curve holds both.
+  const auto samples = static_cast<long>((a.size() - 1) * (b.size() - 1) + 1);
+  for (long k = 1; k <= samples; ++k) {
+    const Rational t = on_b.front() + (on_b.back() - on_b.front()) * Rational(k, samples + 1);
+    if (!passes_inside(a, point_at(b, t))) return false;
+  }
+  return true;
 }
 
 }  // namespace bezcert

@@ -1,8 +1,7 @@
-// At which parameters a curve passes a point, and the part of a curve between two parameters, exactly.
+// Which points lie on a curve, and at which parameters, exactly.
 #pragma once
 
-#include "bezcert/curve/dyadic_curve.hpp"
-#include "bezcert/curve/point.hpp"
+#include "bezcert/curve/curve_net.hpp"
 
 namespace bezcert {
 
@@ -14,11 +13,7 @@ bool passes_inside(const CurveNet<Integer>& curve, const Point& point);
 std::vector<Rational> rational_parameters(const CurveNet<Integer>& curve, const Point& point,
                                           const Rational& lower);
 
-/// The same curve from t = lower to t = upper, as a curve over [0, 1]: its control points are the values of
-/// the polar form at (lower, ..., lower, upper, ..., upper). Times a positive factor.
-CurveNet<Integer> part_of(const CurveNet<Integer>& curve, const Rational& lower, const Rational& upper);
-
-/// The point at a parameter.
-Point point_at(const CurveNet<Integer>& curve, const Rational& t);
+/// Whether a piece of b, between end points of the two, runs along a.
+bool run_together(const CurveNet<Integer>& a, const CurveNet<Integer>& b);
 
 }  // namespace bezcert

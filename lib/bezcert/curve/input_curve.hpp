@@ -1,7 +1,7 @@
 // A curve of the domain that a mesh is to conform to: a rational Bezier curve given exactly.
 #pragma once
 
-#include "bezcert/curve/dyadic_curve.hpp"
+#include "bezcert/curve/curve_net.hpp"
 #include "bezcert/number/exact_vector.hpp"
 
 #include <cstdint>

@@ -98,4 +98,33 @@ std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int dep
   return sum;
 }
 
+std::optional<int> winding_number(std::span<DyadicCurve> chain, const Point& point, int depth) {
+  int sum = 0;
+  for (DyadicCurve& curve : chain) {
+    const std::optional<int> share = winding_share(curve, point, depth);
+    if (!share) return std::nullopt;
+    sum += *share;
+  }
+  return sum;
+}
+
+// The winding number of a simple chain is 0 outside and its orientation inside. Points beside the middle of
+// the first curve, nearer and nearer on both sides: one side is inside.
+int orientation(std::span<DyadicCurve> chain) {
+  constexpr int enough_halvings = 256;
+  const CurveNet<Integer> half = chain[0].exact(chain[0].halves(DyadicCurve::whole).first);
+  const std::size_t last = half.size() - 1;
+  const Point middle{Rational(half.x[last], half.w[last]), Rational(half.y[last], half.w[last])};
+  const Vector2<Integer> along = between(half, last - 1, half, last);
+  const Rational scale(Integer(half.w[last - 1] * half.w[last]));
+  for (Rational step(1, 2);; step /= 2) {
+    for (const int side : {1, -1}) {
+      const Rational factor = step * side / scale;
+      const Point beside{middle.x - Rational(along.y) * factor, middle.y + Rational(along.x) * factor};
+      const std::optional<int> winding = winding_number(chain, beside, enough_halvings);
+      if (winding && *winding != 0) return *winding;
+    }
+  }
+}
+
 }  // namespace bezcert

@@ -5,10 +5,10 @@
 
 namespace bezcert {
 
-Components find_components(const MeshEdges& edges, const Gluing& gluing) {
+Components find_components(const Surface& surface) {
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   Components result;
-  result.of_element.assign(edges.element_count(), none);
+  result.of_element.assign(surface.element_count(), none);
   std::vector<std::uint32_t> open;
   for (std::uint32_t seed = 0; seed < result.of_element.size(); ++seed) {
     if (result.of_element[seed] != none) continue;
@@ -18,59 +18,57 @@ Components find_components(const MeshEdges& edges, const Gluing& gluing) {
     while (!open.empty()) {
       const std::uint32_t element = open.back();
       open.pop_back();
-      for (EdgeUse use = edges.first(element); use < edges.first(element + 1); ++use) {
-        if (gluing.twin[use] == no_edge) continue;
-        std::uint32_t& other = result.of_element[edges.element(gluing.twin[use])];
+      for (HalfEdge h = surface.first(element); h < surface.first(element + 1); ++h) {
+        if (surface.opposite(h) == no_half_edge) continue;
+        std::uint32_t& other = result.of_element[surface.element(surface.opposite(h))];
         if (other != none) continue;
         other = number;
-        open.push_back(edges.element(gluing.twin[use]));
+        open.push_back(surface.element(surface.opposite(h)));
       }
     }
   }
   return result;
 }
 
-std::vector<BoundaryLoop> find_loops(const MeshEdges& edges, const Gluing& gluing, const Fans& fans,
-                                     const Components& components) {
+std::vector<BoundaryLoop> find_loops(const Surface& surface, const Components& components) {
   std::vector<BoundaryLoop> result;
-  std::vector<bool> seen(edges.count(), false);
-  for (EdgeUse seed = 0; seed < edges.count(); ++seed) {
-    if (!gluing.is_boundary(seed) || seen[seed]) continue;
+  std::vector<bool> seen(surface.count(), false);
+  for (HalfEdge seed = 0; seed < surface.count(); ++seed) {
+    if (!surface.is_boundary(seed) || seen[seed]) continue;
     BoundaryLoop loop;
-    loop.component = components.of_element[edges.element(seed)];
-    EdgeUse use = seed;
+    loop.component = components.of_element[surface.element(seed)];
+    HalfEdge h = seed;
     // `next_boundary` is injective, so a chain returns to its seed or ends; it may have been entered in its
     // middle.
-    while (use != no_edge && !seen[use]) {
-      seen[use] = true;
-      loop.uses.push_back(use);
-      use = fans.next_boundary[use];
+    while (h != no_half_edge && !seen[h]) {
+      seen[h] = true;
+      loop.edges.push_back(h);
+      h = surface.next_boundary(h);
     }
-    if (use == seed) result.push_back(std::move(loop));
+    if (h == seed) result.push_back(std::move(loop));
   }
   return result;
 }
 
-std::vector<long> euler_characteristics(const MeshEdges& edges, const Gluing& gluing,
-                                        const CornersByVertex& corners, const Components& components) {
-  const auto is_used = [&](std::size_t vertex) { return corners.start[vertex] != corners.start[vertex + 1]; };
-  const std::size_t vertices = corners.start.size() - 1;
+std::vector<long> euler_characteristics(const Surface& surface, const Components& components) {
   if (components.count == 1) {  // no need to ask where each belongs
-    long used = 0;
-    for (std::size_t vertex = 0; vertex < vertices; ++vertex) used += is_used(vertex) ? 1 : 0;
-    const auto uses = static_cast<long>(edges.count());
-    const auto boundary = static_cast<long>(std::count(gluing.twin.begin(), gluing.twin.end(), no_edge));
-    return {used - (uses + boundary) / 2 + static_cast<long>(edges.element_count())};
+    long vertices = 0, boundary = 0;
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_limit(); ++vertex) {
+      vertices += surface.corners(vertex).empty() ? 0 : 1;
+    }
+    for (HalfEdge h = 0; h < surface.count(); ++h) boundary += surface.is_boundary(h) ? 1 : 0;
+    const auto half_edges = static_cast<long>(surface.count());
+    return {vertices - (half_edges + boundary) / 2 + static_cast<long>(surface.element_count())};
   }
   std::vector<long> result(components.count, 0);
-  for (EdgeUse use = 0; use < edges.count(); ++use) {
-    const bool counted = gluing.is_boundary(use) || use < gluing.twin[use];
-    if (counted) --result[components.of_element[edges.element(use)]];
+  for (HalfEdge h = 0; h < surface.count(); ++h) {
+    const bool counted = surface.is_boundary(h) || h < surface.opposite(h);
+    if (counted) --result[components.of_element[surface.element(h)]];
   }
   for (const std::uint32_t component : components.of_element) ++result[component];
-  for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
-    if (!is_used(vertex)) continue;
-    ++result[components.of_element[edges.element(corners.corners[corners.start[vertex]])]];
+  for (std::uint32_t vertex = 0; vertex < surface.vertex_limit(); ++vertex) {
+    const auto corners = surface.corners(vertex);
+    if (!corners.empty()) ++result[components.of_element[surface.element(corners[0])]];
   }
   return result;
 }

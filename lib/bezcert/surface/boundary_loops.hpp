@@ -1,7 +1,7 @@
-// The connected components of a mesh and the closed chains of its boundary edges.
+// The connected components of a mesh and the closed chains of its boundary surface.
 #pragma once
 
-#include "bezcert/surface/vertex_fans.hpp"
+#include "bezcert/surface/surface.hpp"
 
 namespace bezcert {
 
@@ -11,20 +11,18 @@ struct Components {
   std::size_t count = 0;
 };
 
-Components find_components(const MeshEdges& edges, const Gluing& gluing);
+Components find_components(const Surface& surface);
 
 /// Boundary edges in order, each beginning where the one before ends; the component lies on their left.
 struct BoundaryLoop {
-  std::vector<EdgeUse> uses;
+  std::vector<HalfEdge> edges;
   std::uint32_t component = 0;
 };
 
-/// All loops, in the order of their first uses. Chains that a bad vertex breaks are left out.
-std::vector<BoundaryLoop> find_loops(const MeshEdges& edges, const Gluing& gluing, const Fans& fans,
-                                     const Components& components);
+/// All loops, in the order of their first half-edges. Chains that a bad vertex breaks are left out.
+std::vector<BoundaryLoop> find_loops(const Surface& surface, const Components& components);
 
 /// V - E + F of every component. Precondition: no vertex is bad.
-std::vector<long> euler_characteristics(const MeshEdges& edges, const Gluing& gluing,
-                                        const CornersByVertex& corners, const Components& components);
+std::vector<long> euler_characteristics(const Surface& surface, const Components& components);
 
 }  // namespace bezcert

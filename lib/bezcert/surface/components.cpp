@@ -1,7 +1,7 @@
 #include "bezcert/surface/components.hpp"
 
+#include "bezcert/curve/box.hpp"
 #include "bezcert/curve/winding.hpp"
-#include "bezcert/curve/box_sweep.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,14 +11,9 @@ namespace {
 
 class ComponentCheck {
  public:
-  ComponentCheck(const MeshEdges& edges, const Gluing& gluing, const Components& components,
-                 const std::vector<BoundaryLoop>& loops, const LoopFacts& facts, ObstacleList& obstacles)
-      : edges_(edges),
-        gluing_(gluing),
-        components_(components),
-        loops_(loops),
-        facts_(facts),
-        obstacles_(obstacles) {
+  ComponentCheck(const Surface& surface, const Components& components, const std::vector<BoundaryLoop>& loops,
+                 const LoopFacts& facts, ObstacleList& obstacles)
+      : surface_(surface), components_(components), loops_(loops), facts_(facts), obstacles_(obstacles) {
     loops_of_.resize(components.count);
     for (std::size_t i = 0; i < loops.size(); ++i) loops_of_[loops[i].component].push_back(i);
   }
@@ -29,8 +24,7 @@ class ComponentCheck {
     std::vector<std::size_t> outer_loops(components_.count, 0);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       const LoopArea& area = facts_.areas[i];
-      result.lower += area.bounds.lower;
-      result.upper += area.bounds.upper;
+      result += area.bounds;
       if (area.orientation < 0) continue;
       ++outer_loops[loops_[i].component];
       outer_[loops_[i].component] = i;
@@ -52,7 +46,7 @@ class ComponentCheck {
   // tells.
   void check_pairs() {
     if (components_.count < 2) return;
-    for (const BoundaryLoop& loop : loops_) loop_boxes_.push_back(box_of(loop));
+    for (const BoundaryLoop& loop : loops_) loop_boxes_.push_back(loop_box(loop));
     std::vector<Box> boxes;
     for (std::size_t component = 0; component < components_.count; ++component) {
       boxes.push_back(loop_boxes_[outer_[component]]);
@@ -63,23 +57,20 @@ class ComponentCheck {
     });
   }
 
-  Box box_of(const BoundaryLoop& loop) {
+  Box loop_box(const BoundaryLoop& loop) {
     const RoundingScope scope;
     std::vector<Box>& each = edge_boxes_.emplace_back();
-    for (const EdgeUse use : loop.uses) each.push_back(edges_.box(use));
+    for (const HalfEdge h : loop.edges) each.push_back(surface_.box(h));
     Box box = each[0];
-    for (const Box& other : each) {
-      box = {std::min(box.x_low, other.x_low), std::max(box.x_high, other.x_high),
-             std::min(box.y_low, other.y_low), std::max(box.y_high, other.y_high)};
-    }
+    for (const Box& other : each) box.add(other);
     return box;
   }
 
   // Whether the outer loop of `inner` lies in `outer`; then it is an obstacle.
   bool is_inside(std::size_t inner, std::size_t outer) {
-    const EdgeUse there = loops_[outer_[inner]].uses[0];
-    const std::uint32_t vertex = gluing_.begin[there];
-    const Point point = edges_.point(vertex);
+    const HalfEdge there = loops_[outer_[inner]].edges[0];
+    const std::uint32_t vertex = surface_.begin(there);
+    const Point point = surface_.point(vertex);
     int winding = 0;
     const Interval x = to_interval(point.x), y = to_interval(point.y);
     for (const std::size_t loop : loops_of_[outer]) {
@@ -88,18 +79,17 @@ class ComponentCheck {
       const Box& whole = loop_boxes_[loop];
       if (whole.y_low > y.sup() || whole.y_high < y.inf() || whole.x_low > x.sup() || whole.x_high < x.inf())
         continue;
-      for (std::size_t i = 0; i < loops_[loop].uses.size(); ++i) {
+      for (std::size_t i = 0; i < loops_[loop].edges.size(); ++i) {
         const Box& box = edge_boxes_[loop][i];
         if (box.y_low > y.sup() || box.y_high < y.inf() || box.x_high < x.inf()) continue;
-        const EdgeUse use = loops_[loop].uses[i];
+        const HalfEdge h = loops_[loop].edges[i];
         const RoundingScope scope;
-        DyadicCurve curve = edges_.curve(use);
+        DyadicCurve curve = surface_.curve(h);
         const std::optional<int> share = winding_share(curve, point);
         if (!share) {
           MeshObstacle open;
-          open.kind = MeshVerdict::undecided;
-          open.message = "whether component " + std::to_string(inner + 1) + " lies in component " +
-                         std::to_string(outer + 1) + " is open: winding depth";
+          open.cause = Cause::nesting_open;
+          open.components = {inner, outer};
           obstacles_.add(std::move(open));
           return false;
         }
@@ -108,20 +98,15 @@ class ComponentCheck {
     }
     if (winding == 0) return false;
     MeshObstacle result;
-    result.kind = MeshVerdict::overlapping_boundary;
-    result.elements = {edges_.element(there), edges_.element(loops_[outer_[outer]].uses[0])};
-    name_nodes(edges_, {vertex}, result);
-    result.message = "component " + std::to_string(inner + 1) + " (with element " +
-                     std::to_string(edges_.element_number(there)) + ", " + node_text(edges_, vertex) +
-                     ") lies inside component " + std::to_string(outer + 1) + " (with element " +
-                     std::to_string(edges_.element_number(loops_[outer_[outer]].uses[0])) + ")";
-    result.hint = "two parts of the mesh cover the same region";
+    result.cause = Cause::nested;
+    result.components = {inner, outer};
+    result.elements = {surface_.element(there), surface_.element(loops_[outer_[outer]].edges[0])};
+    result.add_node(surface_, vertex);
     obstacles_.add(std::move(result));
     return true;
   }
 
-  const MeshEdges& edges_;
-  const Gluing& gluing_;
+  const Surface& surface_;
   const Components& components_;
   const std::vector<BoundaryLoop>& loops_;
   const LoopFacts& facts_;
@@ -141,10 +126,10 @@ long LoopFacts::extra_turns() const {
   return result;
 }
 
-AreaBounds check_components(const MeshEdges& edges, const Gluing& gluing, const Components& components,
+AreaBounds check_components(const Surface& surface, const Components& components,
                             const std::vector<BoundaryLoop>& loops, const LoopFacts& facts,
                             ObstacleList& obstacles) {
-  return ComponentCheck(edges, gluing, components, loops, facts, obstacles).run();
+  return ComponentCheck(surface, components, loops, facts, obstacles).run();
 }
 
 }  // namespace bezcert

@@ -19,7 +19,7 @@ struct LoopFacts {
 /// The area of all components, after checking that no component lies in another (overlapping_boundary).
 /// Preconditions: no obstacle so far, loops are simple and disjoint. Throws std::logic_error if a component
 /// has other loops than the theorem allows: one counter-clockwise, and as many as make its genus 0.
-AreaBounds check_components(const MeshEdges& edges, const Gluing& gluing, const Components& components,
+AreaBounds check_components(const Surface& surface, const Components& components,
                             const std::vector<BoundaryLoop>& loops, const LoopFacts& facts,
                             ObstacleList& obstacles);
 

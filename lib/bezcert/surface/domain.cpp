@@ -1,8 +1,7 @@
 #include "bezcert/surface/domain.hpp"
 
-#include "bezcert/curve/same_curve.hpp"
 #include "bezcert/curve/incidence.hpp"
-#include "bezcert/curve/distance.hpp"
+#include "bezcert/curve/same_curve.hpp"
 
 #include <algorithm>
 
@@ -12,10 +11,10 @@ namespace {
 // Vertices in the order of their points, to find those at a point.
 class VertexIndex {
  public:
-  VertexIndex(const MeshEdges& edges, const CornersByVertex& corners) : edges_(edges) {
-    const Mesh& mesh = edges.mesh();
-    for (std::uint32_t vertex = 0; vertex + 1 < corners.start.size(); ++vertex) {
-      if (corners.start[vertex] < corners.start[vertex + 1]) vertices_.push_back(vertex);
+  explicit VertexIndex(const Surface& surface) : surface_(surface) {
+    const Mesh& mesh = surface.mesh();
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_limit(); ++vertex) {
+      if (!surface.corners(vertex).empty()) vertices_.push_back(vertex);
     }
     const bool doubles = mesh.x.binary64() && mesh.y.binary64();
     std::sort(vertices_.begin(), vertices_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -25,17 +24,17 @@ class VertexIndex {
         };
         return key(a) < key(b);
       }
-      const int order = compare(edges.point(a), edges.point(b));
+      const int order = compare(surface.point(a), surface.point(b));
       return order != 0 ? order < 0 : a < b;
     });
   }
 
   std::vector<std::uint32_t> at(const Point& point) const {
     const auto first = std::partition_point(vertices_.begin(), vertices_.end(), [&](std::uint32_t vertex) {
-      return compare(edges_.point(vertex), point) < 0;
+      return compare(surface_.point(vertex), point) < 0;
     });
     std::vector<std::uint32_t> result;
-    for (auto it = first; it != vertices_.end() && edges_.point(*it) == point; ++it) result.push_back(*it);
+    for (auto it = first; it != vertices_.end() && surface_.point(*it) == point; ++it) result.push_back(*it);
     return result;
   }
 
@@ -45,21 +44,20 @@ class VertexIndex {
     return a.y < b.y ? -1 : a.y == b.y ? 0 : 1;
   }
 
-  const MeshEdges& edges_;
+  const Surface& surface_;
   std::vector<std::uint32_t> vertices_;
 };
 
 // A mesh edge at a vertex, led away from it.
 struct Departure {
-  EdgeUse use = no_edge;
+  HalfEdge h = no_half_edge;
   bool forward = true;
   std::uint32_t to = 0;
 };
 
 class DomainCheck {
  public:
-  DomainCheck(const Mesh& mesh, const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners)
-      : mesh_(mesh), edges_(edges), gluing_(gluing), corners_(corners), index_(edges, corners) {}
+  explicit DomainCheck(const Surface& surface) : surface_(surface), index_(surface) {}
 
   std::optional<DomainFailure> check(const InputCurve& input) const {
     const CurveNet<Integer> curve = input.exact();
@@ -79,17 +77,17 @@ class DomainCheck {
   std::vector<Departure> departures_at(const std::vector<std::uint32_t>& vertices) const {
     std::vector<Departure> result;
     for (const std::uint32_t vertex : vertices) {
-      for (std::uint32_t i = corners_.start[vertex]; i < corners_.start[vertex + 1]; ++i) {
-        const EdgeUse out = corners_.corners[i], in = edges_.previous(out);
-        result.push_back({out, true, gluing_.end(edges_, out)});
-        result.push_back({in, false, gluing_.begin[in]});
+      for (const HalfEdge out : surface_.corners(vertex)) {
+        const HalfEdge in = surface_.previous(out);
+        result.push_back({out, true, surface_.end(out)});
+        result.push_back({in, false, surface_.begin(in)});
       }
     }
     return result;
   }
 
   CurveNet<Integer> net_of(const Departure& departure) const {
-    CurveNet<Integer> net = edges_.exact(departure.use);
+    CurveNet<Integer> net = surface_.exact(departure.h);
     return departure.forward ? net : reversed(net);
   }
 
@@ -98,7 +96,7 @@ class DomainCheck {
                                  const std::vector<Departure>& departures) const {
     std::optional<Rational> nearest;
     for (const Departure& departure : departures) {
-      for (const Rational& end : rational_parameters(curve, edges_.point(departure.to), t)) {
+      for (const Rational& end : rational_parameters(curve, surface_.point(departure.to), t)) {
         if (nearest && *nearest <= end) break;
         if (same_curve(net_of(departure), part_of(curve, t, end))) {
           nearest = end;
@@ -115,73 +113,67 @@ class DomainCheck {
     DomainFailure result;
     result.parameter = t;
     result.point = point;
-    if (mesh_.glued_by_nodes) result.nodes = vertices;
+    if (surface_.mesh().glued_by_nodes) result.nodes = vertices;
     for (const Departure& departure : departures) {
-      const std::uint32_t element = edges_.element(departure.use);
+      const std::uint32_t element = surface_.element(departure.h);
       if (std::find(result.elements.begin(), result.elements.end(), element) == result.elements.end()) {
         result.elements.push_back(element);
       }
     }
-    result.message = reason(curve, t, vertices, departures);
+    if (vertices.empty()) {
+      result.cause = DomainCause::no_corner;
+    } else {
+      find_cause(curve, departures, result);
+    }
     return result;
   }
 
-  std::string reason(const CurveNet<Integer>& curve, const Rational& t,
-                     const std::vector<std::uint32_t>& vertices,
-                     const std::vector<Departure>& departures) const {
-    if (vertices.empty()) return "no element has a corner there";
+  void name_edge(DomainCause cause, const Departure& departure, DomainFailure& failure) const {
+    failure.cause = cause;
+    failure.edge = surface_.element_edge(departure.h);
+    failure.forward = departure.forward;
+  }
+
+  void find_cause(const CurveNet<Integer>& curve, const std::vector<Departure>& departures,
+                  DomainFailure& failure) const {
+    const Rational& t = failure.parameter;
     // An edge that ends on the curve, but takes another way, is the likely culprit: the one with the nearest
     // end.
     const Departure* best = nullptr;
     Rational best_end;
     for (const Departure& departure : departures) {
-      const std::vector<Rational> ends = rational_parameters(curve, edges_.point(departure.to), t);
+      const std::vector<Rational> ends = rational_parameters(curve, surface_.point(departure.to), t);
       if (ends.empty() || (best != nullptr && best_end <= ends.front())) continue;
       best = &departure;
       best_end = ends.front();
     }
-    const std::string from = node_text(edges_, vertices.front());
-    if (best == nullptr) return other_reason(curve, t, from, departures);
-    const CurveNet<Integer> part = part_of(curve, t, best_end), edge = net_of(*best);
-    return "the edge from " + from + " to " + node_text(edges_, best->to) + " of element " +
-           std::to_string(edges_.element_number(best->use)) +
-           " ends on the curve, but is not that part of it: " + text_of(largest_distance(edge, part)) +
-           " apart at most at equal parameters";
-  }
-
-  // No edge ends on the rest of the curve at a rational parameter.
-  std::string other_reason(const CurveNet<Integer>& curve, const Rational& t, const std::string& from,
-                           const std::vector<Departure>& departures) const {
+    if (best != nullptr) {
+      name_edge(DomainCause::other_way, *best, failure);
+      failure.distance = largest_distance(net_of(*best), part_of(curve, t, best_end));
+      return;
+    }
+    // No edge ends on the rest of the curve at a rational parameter.
     const CurveNet<Integer> rest = part_of(curve, t, 1);
-    const Point end = point_at(curve, 1);
+    failure.end = point_at(curve, 1);
     for (const Departure& departure : departures) {
-      const std::string edge = "the edge from " + from + " to " + node_text(edges_, departure.to) +
-                               " of element " + std::to_string(edges_.element_number(departure.use));
-      if (passes_inside(net_of(departure), end)) {
-        return "the curve ends at " + text_of(end) + ", inside " + edge + ": there is no node";
+      if (passes_inside(net_of(departure), failure.end)) {
+        return name_edge(DomainCause::ends_inside_edge, departure, failure);
       }
-      if (passes_inside(rest, edges_.point(departure.to))) {
-        return edge + " ends on the curve, but at an irrational parameter: it runs through it differently";
+      if (passes_inside(rest, surface_.point(departure.to))) {
+        return name_edge(DomainCause::irrational_parameter, departure, failure);
       }
     }
-    return "no edge from " + from + " leads to another point of the curve";
+    failure.cause = DomainCause::no_edge;
   }
 
-  const Mesh& mesh_;
-  const MeshEdges& edges_;
-  const Gluing& gluing_;
-  const CornersByVertex& corners_;
+  const Surface& surface_;
   VertexIndex index_;
 };
 
 }  // namespace
 
-DomainResult check_domain(const Mesh& mesh, std::span<const InputCurve> curves) {
-  const MeshEdges edges(mesh);
-  ObstacleList obstacles;
-  const Gluing gluing = glue(edges, obstacles);
-  const CornersByVertex corners = corners_by_vertex(edges, gluing);
-  const DomainCheck check(mesh, edges, gluing, corners);
+DomainResult check_domain(const Surface& surface, std::span<const InputCurve> curves) {
+  const DomainCheck check(surface);
   DomainResult result;
   result.curves = curves.size();
   for (std::size_t i = 0; i < curves.size(); ++i) {

@@ -6,12 +6,19 @@
 // other end are rational roots, found exactly; the part of c is made by blossoming. No tolerance anywhere.
 #pragma once
 
-#include "bezcert/surface/gluing.hpp"
 #include "bezcert/curve/input_curve.hpp"
-
-#include <span>
+#include "bezcert/surface/surface.hpp"
 
 namespace bezcert {
+
+/// Why no edge covers a curve any further. All but the first: from a vertex on the curve.
+enum class DomainCause {
+  no_corner,             ///< no element has a corner there
+  other_way,             ///< `edge` ends on the curve, but is not that part of it: `distance`
+  ends_inside_edge,      ///< the curve ends at `end`, inside `edge`
+  irrational_parameter,  ///< `edge` ends on the curve, but at an irrational parameter
+  no_edge                ///< no edge leads to another point of the curve
+};
 
 /// Where the coverage of a curve stops.
 struct DomainFailure {
@@ -20,7 +27,11 @@ struct DomainFailure {
   Point point;                          ///< the curve's point there
   std::vector<std::uint32_t> nodes;     ///< vertices at that point (empty if glued by points, or none)
   std::vector<std::uint32_t> elements;  ///< that have a corner there
-  std::string message;
+  DomainCause cause = DomainCause::no_corner;
+  ElementEdge edge;
+  bool forward = true;                     ///< whether `edge` begins there, rather than ends
+  std::optional<DistanceBounds> distance;  ///< largest at equal parameters
+  Point end;
 };
 
 struct DomainResult {
@@ -32,6 +43,6 @@ struct DomainResult {
 };
 
 /// Of a mesh that need not be an embedding.
-DomainResult check_domain(const Mesh& mesh, std::span<const InputCurve> curves);
+DomainResult check_domain(const Surface& surface, std::span<const InputCurve> curves);
 
 }  // namespace bezcert

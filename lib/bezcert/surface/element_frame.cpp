@@ -10,10 +10,10 @@ Vector2<Rational> difference(const Point& p, const Point& q) { return {q.x - p.x
 
 }  // namespace
 
-ElementFrame::ElementFrame(const MeshEdges& edges, EdgeUse use) {
-  const MeshElement& element = edges.mesh().elements[edges.element(use)];
-  const Point origin = edges.point(edges.begin_node(use));
-  along_ = difference(origin, edges.point(edges.begin_node(edges.next(use))));
+ElementFrame::ElementFrame(const HalfEdges& edges, HalfEdge h) {
+  const MeshElement& element = edges.mesh().elements[edges.element(h)];
+  const Point origin = edges.point(edges.begin_node(h));
+  along_ = difference(origin, edges.point(edges.begin_node(edges.next(h))));
   for (std::size_t i = 0; i < coefficient_count(element.shape); ++i) {
     const auto to = difference(origin, edges.point(edges.mesh().connectivity[element.first_node + i]));
     const Rational area = cross(along_, to);
@@ -30,7 +30,7 @@ bool ElementFrame::is_small(const Point& p, const Point& q) const {
   return abs(cross(d, across_)) <= limit && abs(cross(along_, d)) <= limit;
 }
 
-bool are_close(const MeshEdges& edges, EdgeUse a, EdgeUse b) {
+bool are_close(const HalfEdges& edges, HalfEdge a, HalfEdge b) {
   const CurveNet<Integer> net_a = edges.exact(a), net_b = reversed(edges.exact(b));
   const ElementFrame frame_a(edges, a), frame_b(edges, b);
   bool small_a = true, small_b = true;

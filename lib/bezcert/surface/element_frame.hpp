@@ -12,7 +12,7 @@ namespace bezcert {
 class ElementFrame {
  public:
   /// The frame of an edge. Exact.
-  ElementFrame(const MeshEdges& edges, EdgeUse use);
+  ElementFrame(const HalfEdges& edges, HalfEdge h);
 
   /// Whether the difference q - p has coordinates of at most 1/8. False if all points of the element are
   /// collinear.
@@ -25,7 +25,7 @@ class ElementFrame {
 
 /// Whether two uses between the same two vertices, in opposite directions, are close to each other at equal
 /// parameters (15 of them), in the frame of one of them.
-bool are_close(const MeshEdges& edges, EdgeUse a, EdgeUse b);
+bool are_close(const HalfEdges& edges, HalfEdge a, HalfEdge b);
 
 /// Whether a point is close to one of 33 points of an edge.
 bool is_near(const ElementFrame& frame, const CurveNet<Integer>& edge, const Point& point);

@@ -8,25 +8,13 @@
 // another component. All of it is decided exactly, in time near linear in the number of elements.
 #pragma once
 
-#include "bezcert/curve/contact.hpp"
 #include "bezcert/surface/boundary_contacts.hpp"
 #include "bezcert/surface/loop_area.hpp"
-#include "bezcert/surface/vertex_fans.hpp"
+#include "bezcert/surface/turns.hpp"
 
 #include <memory>
-#include <span>
 
 namespace bezcert {
-
-/// What is known of one element alone.
-enum class ElementState : std::uint8_t { injective, invalid, open };
-
-/// How the elements were put together.
-struct MeshSurface {
-  Gluing gluing;
-  CornersByVertex corners;
-  Fans fans;
-};
 
 struct MeshResult {
   MeshVerdict verdict = MeshVerdict::undecided;
@@ -40,7 +28,8 @@ struct MeshResult {
   std::optional<std::size_t> holes;
   /// Set for an embedding.
   std::optional<AreaBounds> area;
-  std::shared_ptr<const MeshSurface> surface;
+  /// How the elements were put together; refers to the mesh.
+  std::shared_ptr<const Surface> surface;
 };
 
 struct MeshOptions {
@@ -50,22 +39,21 @@ struct MeshOptions {
   std::optional<std::uint32_t> element;
 };
 
-/// How the elements of a mesh are glued: what the decision of the mesh knows before it asks for theirs, so
-/// that another thread can make it meanwhile.
+/// What the decision of a mesh knows before it asks for those of its elements, so that another thread can
+/// make it meanwhile.
 class MeshTopology {
  public:
   /// Keeps a reference: `mesh` must outlive this. `element` as in MeshOptions. Throws std::length_error
   /// beyond 2^32 - 2 edges.
   explicit MeshTopology(const Mesh& mesh, std::optional<std::uint32_t> element = std::nullopt);
 
+  const Surface& surface() const { return *surface_; }
+
  private:
-  friend MeshResult examine_mesh(MeshTopology&&, std::span<const ElementState>, const MeshOptions&);
+  friend MeshResult examine_mesh(const MeshTopology&, std::span<const ElementState>, const ContactBudget&);
 
   ObstacleList obstacles_;
-  MeshEdges edges_;
-  Gluing gluing_;
-  CornersByVertex corners_;
-  Fans fans_;
+  std::shared_ptr<const Surface> surface_;
   Components components_;
   std::vector<WideFan> wide_;
   std::optional<std::vector<NearEdges>> near_;
@@ -75,12 +63,12 @@ class MeshTopology {
   std::vector<long> characteristics_;           // Euler's, of every component
 };
 
-/// Precondition: one state an element, and true: the theorem rests on it. Throws std::length_error beyond
-/// 2^32 - 2 edges, and std::logic_error if the mesh contradicts the theorem (a defect of bezcert).
+/// Precondition: one state an element, and true: the theorem rests on it. Throws std::invalid_argument if
+/// there are more or fewer, and std::logic_error if the mesh contradicts the theorem (a defect of bezcert).
+MeshResult examine_mesh(const MeshTopology& topology, std::span<const ElementState> states,
+                        const ContactBudget& budget = {});
+/// The same, all at once.
 MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states,
-                        const MeshOptions& options = {});
-/// The same. Precondition: the topology was made for `options.element`.
-MeshResult examine_mesh(MeshTopology&& topology, std::span<const ElementState> states,
                         const MeshOptions& options = {});
 
 }  // namespace bezcert

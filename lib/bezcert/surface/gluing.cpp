@@ -1,23 +1,21 @@
-#include "bezcert/surface/gluing.hpp"
-
 #include "bezcert/curve/same_curve.hpp"
 #include "bezcert/curve/incidence.hpp"
 #include "bezcert/curve/distance.hpp"
 #include "bezcert/surface/element_frame.hpp"
+#include "bezcert/surface/surface.hpp"
 
 #include <algorithm>
 #include <numeric>
-#include <span>
 #include <tuple>
 
 namespace bezcert {
 namespace {
 
 // For every corner its node, or the first of the corner nodes at exactly the same point.
-std::vector<std::uint32_t> begin_vertices(const MeshEdges& edges) {
+std::vector<std::uint32_t> begin_vertices(const HalfEdges& edges) {
   const Mesh& mesh = edges.mesh();
   std::vector<std::uint32_t> result(edges.count());
-  for (EdgeUse use = 0; use < edges.count(); ++use) result[use] = edges.begin_node(use);
+  for (HalfEdge h = 0; h < edges.count(); ++h) result[h] = edges.begin_node(h);
   if (mesh.glued_by_nodes) return result;
 
   std::vector<std::uint32_t> nodes = result;
@@ -47,73 +45,73 @@ std::vector<std::uint32_t> begin_vertices(const MeshEdges& edges) {
   return result;
 }
 
-// One use in a group, with its direction: forward leads from the smaller to the larger vertex.
-struct Use {
-  std::uint32_t smaller = 0, larger = 0;  // vertices
-  EdgeUse use = 0;
-  bool forward = true;
-};
+}  // namespace
 
-class Gluer {
+class Surface::Gluer {
  public:
-  Gluer(const MeshEdges& edges, ObstacleList& obstacles) : edges_(edges), obstacles_(obstacles) {}
+  Gluer(Surface& surface, ObstacleList& obstacles) : surface_(surface), obstacles_(obstacles) {}
 
-  Gluing run() {
-    gluing_.begin = begin_vertices(edges_);
-    gluing_.twin.assign(edges_.count(), no_edge);
-    gluing_.faulty.assign(edges_.count(), false);
+  void run() {
+    surface_.begin_ = begin_vertices(surface_);
+    surface_.opposite_.assign(surface_.count(), no_half_edge);
+    surface_.faulty_.assign(surface_.count(), false);
     sort_by_smaller_vertex();
-    if (!pair_plainly()) {
-      for_groups([&](std::span<const Use> uses) {
-        if (uses.size() < 2 || (uses.size() == 2 && gluing_.twin[uses[0].use] == uses[1].use)) return;
-        for (const Use& use : uses) gluing_.twin[use.use] = no_edge;
-        group(uses);
-      });
-    }
-    return std::move(gluing_);
+    if (pair_plainly()) return;
+    for_groups([&](std::span<const Side> sides) {
+      if (sides.size() < 2 || (sides.size() == 2 && surface_.opposite(sides[0].h) == sides[1].h)) return;
+      for (const Side& side : sides) surface_.opposite_[side.h] = no_half_edge;
+      group(sides);
+    });
   }
 
  private:
-  std::uint32_t smaller(EdgeUse use) const { return std::min(gluing_.begin[use], gluing_.end(edges_, use)); }
+  // A half-edge in a group, with its direction: forward leads from the smaller to the larger vertex.
+  struct Side {
+    std::uint32_t smaller = 0, larger = 0;  // vertices
+    HalfEdge h = 0;
+    bool forward = true;
+  };
+
+  std::uint32_t smaller(HalfEdge h) const { return std::min(surface_.begin(h), surface_.end(h)); }
 
   // A counting sort: linear.
   void sort_by_smaller_vertex() {
-    start_.assign(edges_.mesh().x.size() + 2, 0);
-    for (EdgeUse use = 0; use < edges_.count(); ++use) ++start_[smaller(use) + 2];
+    start_.assign(surface_.mesh().x.size() + 2, 0);
+    for (HalfEdge h = 0; h < surface_.count(); ++h) ++start_[smaller(h) + 2];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    sorted_.resize(edges_.count());
-    for (EdgeUse use = 0; use < edges_.count(); ++use) sorted_[start_[smaller(use) + 1]++] = use;
+    sorted_.resize(surface_.count());
+    for (HalfEdge h = 0; h < surface_.count(); ++h) sorted_[start_[smaller(h) + 1]++] = h;
   }
 
-  // Calls each(uses) for every pair of vertices; a vertex of a mesh has few edges.
+  // Calls each(sides) for every pair of vertices; a vertex of a mesh has few edges.
   template <class Each>
   void for_groups(Each each) const {
-    std::vector<Use> at_vertex;
+    std::vector<Side> at_vertex;
     for (std::uint32_t vertex = 0; vertex + 1 < start_.size(); ++vertex) {
       at_vertex.clear();
       for (std::uint32_t i = start_[vertex]; i < start_[vertex + 1]; ++i) {
-        const std::uint32_t a = gluing_.begin[sorted_[i]], b = gluing_.end(edges_, sorted_[i]);
+        const std::uint32_t a = surface_.begin(sorted_[i]), b = surface_.end(sorted_[i]);
         at_vertex.push_back({vertex, std::max(a, b), sorted_[i], a < b});
       }
-      std::sort(at_vertex.begin(), at_vertex.end(), [](const Use& a, const Use& b) {
-        return std::tie(a.larger, a.use) < std::tie(b.larger, b.use);
+      std::sort(at_vertex.begin(), at_vertex.end(), [](const Side& a, const Side& b) {
+        return std::tie(a.larger, a.h) < std::tie(b.larger, b.h);
       });
       for (auto first = at_vertex.begin(); first != at_vertex.end();) {
-        const auto last =
-            std::find_if(first, at_vertex.end(), [&](const Use& use) { return use.larger != first->larger; });
-        each(std::span<const Use>(first, last));
+        const auto last = std::find_if(first, at_vertex.end(),
+                                       [&](const Side& side) { return side.larger != first->larger; });
+        each(std::span<const Side>(first, last));
         first = last;
       }
     }
   }
 
-  void pair(EdgeUse a, EdgeUse b) {
-    gluing_.twin[a] = b;
-    gluing_.twin[b] = a;
+  void pair(HalfEdge a, HalfEdge b) {
+    surface_.opposite_[a] = b;
+    surface_.opposite_[b] = a;
   }
 
-  // Pairs the two uses of every pair of vertices that has two, in opposite directions and through the same
-  // nodes; returns whether all are such, or alone. (If not, `for_groups` looks at all again.)
+  // Pairs the two half-edges of every pair of vertices that has two, in opposite directions and through the
+  // same nodes; returns whether all are such, or alone. (If not, `for_groups` looks at all again.)
   bool pair_plainly() {
     bool all = true;
     std::vector<std::uint32_t> larger;
@@ -125,7 +123,7 @@ class Gluer {
       }
       larger.clear();
       for (std::uint32_t i = begin; i < begin + count; ++i) {
-        larger.push_back(std::max(gluing_.begin[sorted_[i]], gluing_.end(edges_, sorted_[i])));
+        larger.push_back(std::max(surface_.begin(sorted_[i]), surface_.end(sorted_[i])));
       }
       for (std::uint32_t i = 0; i < count; ++i) {
         std::uint32_t others = 0, other = 0;
@@ -135,8 +133,8 @@ class Gluer {
           other = j;
         }
         if (others == 0) continue;
-        const EdgeUse a = sorted_[begin + i], b = sorted_[begin + other];
-        if (others == 1 && gluing_.begin[a] != gluing_.begin[b]) {
+        const HalfEdge a = sorted_[begin + i], b = sorted_[begin + other];
+        if (others == 1 && surface_.begin(a) != surface_.begin(b)) {
           pair(a, b);
         } else {
           all = false;
@@ -150,36 +148,37 @@ class Gluer {
   // the elements: by vertices most of the time is waiting for memory.
   bool keep_plain_pairs() {
     bool all = true;
-    for (EdgeUse a = 0; a < edges_.count(); ++a) {
-      const EdgeUse b = gluing_.twin[a];
-      if (b == no_edge || b < a) continue;
-      if (edges_.basis(a) == edges_.basis(b) && edges_.nodes(a) == edges_.nodes(b).reversed()) continue;
-      gluing_.twin[a] = gluing_.twin[b] = no_edge;
+    for (HalfEdge a = 0; a < surface_.count(); ++a) {
+      const HalfEdge b = surface_.opposite_[a];
+      if (b == no_half_edge || b < a) continue;
+      if (surface_.basis(a) == surface_.basis(b) && surface_.nodes(a) == surface_.nodes(b).reversed())
+        continue;
+      surface_.opposite_[a] = surface_.opposite_[b] = no_half_edge;
       all = false;
     }
     return all;
   }
 
-  // All uses between two vertices.
-  void group(std::span<const Use> uses) {
+  // All half-edges between two vertices.
+  void group(std::span<const Side> sides) {
     // An edge from a vertex to itself: its element is degenerate, and directions mean nothing.
-    if (gluing_.begin[uses[0].use] == gluing_.end(edges_, uses[0].use)) return;
-    std::vector<std::vector<Use>> classes;
-    for (const Use& use : uses) {
+    if (surface_.begin(sides[0].h) == surface_.end(sides[0].h)) return;
+    std::vector<std::vector<Side>> classes;
+    for (const Side& side : sides) {
       const auto found = std::find_if(classes.begin(), classes.end(),
-                                      [&](const auto& one) { return same(one.front(), use); });
+                                      [&](const auto& one) { return same(one.front(), side); });
       if (found == classes.end()) {
-        classes.push_back({use});
+        classes.push_back({side});
       } else {
-        found->push_back(use);
+        found->push_back(side);
       }
     }
-    std::vector<Use> single;
+    std::vector<Side> single;
     for (const auto& one : classes) {
       if (one.size() == 1) {
         single.push_back(one.front());
       } else if (one.size() == 2 && one[0].forward != one[1].forward) {
-        pair(one[0].use, one[1].use);
+        pair(one[0].h, one[1].h);
       } else {
         not_manifold(one);
       }
@@ -191,67 +190,57 @@ class Gluer {
 
   // Two different curves between the same two vertices, with an element on each side: a common edge that went
   // wrong where they are one shape or close to each other, as seen from one of the elements; else boundary.
-  bool is_crack(const Use& a, const Use& b) const {
-    return are_close(edges_, a.use, b.use) || have_same_image(forward_curve(a), forward_curve(b));
+  bool is_crack(const Side& a, const Side& b) const {
+    return are_close(surface_, a.h, b.h) || have_same_image(forward_curve(a), forward_curve(b));
   }
 
-  CurveNet<Integer> forward_curve(const Use& use) const {
-    CurveNet<Integer> net = edges_.exact(use.use);
-    return use.forward ? net : reversed(net);
+  CurveNet<Integer> forward_curve(const Side& side) const {
+    CurveNet<Integer> net = surface_.exact(side.h);
+    return side.forward ? net : reversed(net);
   }
 
-  bool same(const Use& a, const Use& b) const {
-    if (edges_.basis(a.use) == edges_.basis(b.use)) {
-      const EdgeNodes nodes = edges_.nodes(b.use);
-      if (edges_.nodes(a.use) == (a.forward == b.forward ? nodes : nodes.reversed())) return true;
+  bool same(const Side& a, const Side& b) const {
+    if (surface_.basis(a.h) == surface_.basis(b.h)) {
+      const EdgeNodes nodes = surface_.nodes(b.h);
+      if (surface_.nodes(a.h) == (a.forward == b.forward ? nodes : nodes.reversed())) return true;
     }
     return same_curve(forward_curve(a), forward_curve(b));
   }
 
-  MeshObstacle obstacle(MeshVerdict kind, const std::vector<Use>& uses) {
+  MeshObstacle obstacle(Cause cause, const std::vector<Side>& sides) const {
     constexpr std::size_t named = 100;
     MeshObstacle result;
-    result.kind = kind;
-    for (const Use& use : uses) {
-      gluing_.faulty[use.use] = true;
-      if (result.elements.size() == named) continue;
-      result.elements.push_back(edges_.element(use.use));
-      name_edge(edges_, use.use, result);
+    result.cause = cause;
+    result.count = sides.size();
+    for (const Side& side : sides) {
+      if (result.elements.size() == named) break;
+      result.elements.push_back(surface_.element(side.h));
+      result.edges.push_back(surface_.element_edge(side.h));
     }
-    const std::uint32_t a = uses[0].smaller, b = uses[0].larger;
-    name_nodes(edges_, {a, b}, result);
-    result.message = elements_text(edges_.mesh(), result.elements);
-    if (uses.size() > named) result.message += " (" + std::to_string(uses.size()) + " in all)";
-    where_ = "the edge from " + node_text(edges_, a) + " to " + node_text(edges_, b);
+    result.add_node(surface_, sides[0].smaller);
+    result.add_node(surface_, sides[0].larger);
     return result;
   }
 
-  void not_manifold(const std::vector<Use>& uses) {
-    MeshObstacle result = obstacle(MeshVerdict::non_manifold, uses);
-    if (uses.size() > 2) {
-      result.message += " share " + where_ + ": an edge has two elements at most";
-      result.hint = "an element is there twice, or sheets of elements meet as they do in a surface in space";
-    } else {
-      result.message += " share " + where_ + " and both lie on the same side of it";
-      result.hint = "one of them is turned over (a Moebius-like gluing), or an element is there twice";
-    }
-    obstacles_.add(std::move(result));
+  void mark_faulty(const std::vector<Side>& sides) {
+    for (const Side& side : sides) surface_.faulty_[side.h] = true;
   }
 
-  void not_conforming(const std::vector<Use>& uses) {
-    gluing_.meant.emplace_back(uses[0].use, uses[1].use);
-    gluing_.meant.emplace_back(uses[1].use, uses[0].use);
-    MeshObstacle result = obstacle(MeshVerdict::non_conforming, uses);
-    if (!obstacles_.wants(result.kind)) return obstacles_.add_unnamed(result.kind);
-    const CurveNet<Integer> a = forward_curve(uses[0]), b = forward_curve(uses[1]);
-    result.distance = largest_distance(a, b);
-    result.message += " have different curves on " + where_ + ", " + text_of(*result.distance) +
-                      " apart at most at equal parameters";
-    result.hint = have_same_image(a, b)
-                      ? "they have one shape, but run through it differently: inner nodes (or "
-                        "weights) are placed differently along the edge"
-                      : "inner nodes (control points, weights) of the edge differ";
-    obstacles_.add(std::move(result));
+  void not_manifold(const std::vector<Side>& sides) {
+    mark_faulty(sides);
+    obstacles_.add(obstacle(sides.size() > 2 ? Cause::too_many_elements : Cause::one_side, sides));
+  }
+
+  void not_conforming(const std::vector<Side>& sides) {
+    mark_faulty(sides);
+    surface_.meant_.emplace_back(sides[0].h, sides[1].h);
+    surface_.meant_.emplace_back(sides[1].h, sides[0].h);
+    obstacles_.add(MeshVerdict::non_conforming, [&] {
+      const CurveNet<Integer> a = forward_curve(sides[0]), b = forward_curve(sides[1]);
+      MeshObstacle result = obstacle(have_same_image(a, b) ? Cause::crack_in_one_shape : Cause::crack, sides);
+      result.distance = largest_distance(a, b);
+      return result;
+    });
   }
 
   // As far as some of their points tell: for a hint.
@@ -264,28 +253,12 @@ class Gluer {
     return true;
   }
 
-  const MeshEdges& edges_;
+  Surface& surface_;
   ObstacleList& obstacles_;
-  Gluing gluing_;
-  std::vector<EdgeUse> sorted_;       // by smaller vertex
+  std::vector<HalfEdge> sorted_;      // by smaller vertex
   std::vector<std::uint32_t> start_;  // where a vertex's begin, and the end
-  std::string where_;
 };
 
-}  // namespace
-
-Gluing glue(const MeshEdges& edges, ObstacleList& obstacles) { return Gluer(edges, obstacles).run(); }
-
-CornersByVertex corners_by_vertex(const MeshEdges& edges, const Gluing& gluing) {
-  CornersByVertex result;
-  result.start.assign(edges.mesh().x.size() + 2, 0);
-  for (const std::uint32_t vertex : gluing.begin) ++result.start[vertex + 2];
-  std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
-  result.corners.resize(edges.count());
-  for (EdgeUse use = 0; use < edges.count(); ++use)
-    result.corners[result.start[gluing.begin[use] + 1]++] = use;
-  result.start.pop_back();
-  return result;
-}
+void Surface::glue(ObstacleList& obstacles) { Gluer(*this, obstacles).run(); }
 
 }  // namespace bezcert

@@ -59,7 +59,7 @@ std::vector<double> tangent_coefficients(Basis basis, std::size_t count) {
 
 }  // namespace
 
-MeshEdges::MeshEdges(const Mesh& mesh) : mesh_(mesh) {
+HalfEdges::HalfEdges(const Mesh& mesh) : mesh_(mesh) {
   shape_.reserve(mesh.elements.size());
   std::map<std::pair<Shape, Basis>, std::uint16_t> known;
   const MeshElement* last = nullptr;
@@ -68,7 +68,7 @@ MeshEdges::MeshEdges(const Mesh& mesh) : mesh_(mesh) {
     const int edges = element.shape.domain == Domain::triangle ? 3 : 4;
     (edges == 3 ? triangles : quadrilaterals) = true;
     count_ += static_cast<std::size_t>(edges);
-    if (count_ >= no_edge) throw std::length_error("a mesh of more than 2^32 - 2 element edges");
+    if (count_ >= no_half_edge) throw std::length_error("a mesh of more than 2^32 - 2 element edges");
     if (last && last->shape == element.shape && last->basis == element.basis) {
       shape_.push_back(shape_.back());
       continue;
@@ -100,14 +100,14 @@ MeshEdges::MeshEdges(const Mesh& mesh) : mesh_(mesh) {
   first_.reserve(mesh.elements.size() + 1);
   element_.reserve(count_);
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    first_.push_back(static_cast<EdgeUse>(element_.size()));
+    first_.push_back(static_cast<HalfEdge>(element_.size()));
     const std::size_t edges = mesh.elements[i].shape.domain == Domain::triangle ? 3 : 4;
     element_.insert(element_.end(), edges, static_cast<std::uint32_t>(i));
   }
-  first_.push_back(static_cast<EdgeUse>(count_));
+  first_.push_back(static_cast<HalfEdge>(count_));
 }
 
-bool MeshEdges::equal_weights(const EdgeNodes& nodes) const {
+bool HalfEdges::equal_weights(const EdgeNodes& nodes) const {
   if (mesh_.weights.empty()) return true;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const bool equal = mesh_.weights.binary64()
@@ -118,8 +118,8 @@ bool MeshEdges::equal_weights(const EdgeNodes& nodes) const {
   return true;
 }
 
-CurveNet<Integer> MeshEdges::exact(EdgeUse use) const {
-  const EdgeNodes along = nodes(use);
+CurveNet<Integer> HalfEdges::exact(HalfEdge h) const {
+  const EdgeNodes along = nodes(h);
   const std::size_t count = along.size();
   ScaledIntegers coordinates = common_coordinates(mesh_, along);
   const Integer multiple = numerator(coordinates.scale), unit = denominator(coordinates.scale);
@@ -137,19 +137,19 @@ CurveNet<Integer> MeshEdges::exact(EdgeUse use) const {
       for (auto* values : {&net.x, &net.y, &net.w}) (*values)[i] *= integers[i];
     }
   }
-  if (basis(use) == Basis::lagrange) {
+  if (basis(h) == Basis::lagrange) {
     // All three are multiplied by the matrix's denominator, which is the factor of the curve.
     for (auto* values : {&net.x, &net.y, &net.w}) change_basis(segment_change(count), *values);
   }
   return net;
 }
 
-CurveNet<Interval> MeshEdges::interval(EdgeUse use) const {
-  const EdgeNodes along = nodes(use);
+CurveNet<Interval> HalfEdges::interval(HalfEdge h) const {
+  const EdgeNodes along = nodes(h);
   const std::size_t count = along.size();
   const bool polynomial = equal_weights(along);
   CurveNet<Interval> net;
-  if (basis(use) == Basis::lagrange && polynomial) {
+  if (basis(h) == Basis::lagrange && polynomial) {
     const BasisChange& change = segment_change(count);
     net.x = relative(mesh_.x, along);
     net.y = relative(mesh_.y, along);
@@ -174,34 +174,20 @@ CurveNet<Interval> MeshEdges::interval(EdgeUse use) const {
     net.y.push_back(mesh_.y.interval(node) * w);
     net.w.push_back(w);
   }
-  if (basis(use) == Basis::lagrange) {
+  if (basis(h) == Basis::lagrange) {
     for (auto* values : {&net.x, &net.y, &net.w}) change_basis(segment_change(count), *values);
   }
   return net;
 }
 
-Box MeshEdges::box(EdgeUse use) const {
-  const CurveNet<Interval> net = interval(use);
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  Box box{infinite, -infinite, infinite, -infinite};
-  for (std::size_t i = 0; i < net.size(); ++i) {
-    const Interval x = net.x[i] / net.w[i], y = net.y[i] / net.w[i];
-    const bool known = x.inf() <= x.sup() && y.inf() <= y.sup();
-    if (!known) return {-infinite, infinite, -infinite, infinite};  // a NaN: overflow
-    box = {std::min(box.x_low, x.inf()), std::max(box.x_high, x.sup()), std::min(box.y_low, y.inf()),
-           std::max(box.y_high, y.sup())};
-  }
-  return box;
-}
-
-Vector2<Interval> MeshEdges::interval_tangent(EdgeUse use, End end) const {
-  const EdgeNodes along = end == End::begin ? nodes(use) : nodes(use).reversed();
+Vector2<Interval> HalfEdges::interval_tangent(HalfEdge h, End end) const {
+  const EdgeNodes along = end == End::begin ? nodes(h) : nodes(h).reversed();
   const auto to = [&](std::size_t i) {
     return Vector2<Interval>{difference(mesh_.x, along[i], along[0]),
                              difference(mesh_.y, along[i], along[0])};
   };
   // The weights of the first two control points only scale it.
-  if (basis(use) == Basis::bernstein) return to(1);
+  if (basis(h) == Basis::bernstein) return to(1);
   if (equal_weights(along)) {
     Vector2<Interval> result{Interval(0), Interval(0)};
     for (const auto& entry : segment_change(along.size()).rows[1]) {
@@ -211,7 +197,7 @@ Vector2<Interval> MeshEdges::interval_tangent(EdgeUse use, End end) const {
     }
     return result;
   }
-  const CurveNet<Interval> net = interval(use);
+  const CurveNet<Interval> net = interval(h);
   const std::size_t last = net.size() - 1;
   return end == End::begin ? between(net, 0, net, 1) : between(net, last, net, last - 1);
 }
@@ -223,13 +209,13 @@ Vector2<Interval> MeshEdges::interval_tangent(EdgeUse use, End end) const {
 // sizes. For m <= 65 both factors together are below (m + 2) v; the test takes twice that, which covers its
 // own rounding. a = 0 if all differences are 0, exactly. After an overflow a is infinite or s no number:
 // nothing is said.
-std::optional<int> MeshEdges::tangent_sign(EdgeUse use, End end, int coordinate) const {
+std::optional<int> HalfEdges::tangent_sign(HalfEdge h, End end, int coordinate) const {
   const ExactVector& numbers = coordinate == 0 ? mesh_.x : mesh_.y;
   if (!numbers.binary64()) return std::nullopt;
-  const std::vector<double>& c = shapes_[shape_of(element(use))].tangent[static_cast<std::size_t>(edge(use))];
+  const std::vector<double>& c = shapes_[shape_of(element(h))].tangent[static_cast<std::size_t>(edge(h))];
   if (c.empty()) return std::nullopt;
-  const EdgeNodes along = end == End::begin ? nodes(use) : nodes(use).reversed();
-  if (!mesh_.weights.empty() && basis(use) == Basis::lagrange && !equal_weights(along)) return std::nullopt;
+  const EdgeNodes along = end == End::begin ? nodes(h) : nodes(h).reversed();
+  if (!mesh_.weights.empty() && basis(h) == Basis::lagrange && !equal_weights(along)) return std::nullopt;
   const double* x = numbers.doubles().data();
   const double origin = x[along[0]];
   double sum = 0, size = 0;
@@ -246,8 +232,8 @@ std::optional<int> MeshEdges::tangent_sign(EdgeUse use, End end, int coordinate)
   return std::nullopt;
 }
 
-Vector2<Integer> MeshEdges::exact_tangent(EdgeUse use, End end) const {
-  const CurveNet<Integer> net = exact(use);
+Vector2<Integer> HalfEdges::exact_tangent(HalfEdge h, End end) const {
+  const CurveNet<Integer> net = exact(h);
   const std::size_t last = net.size() - 1;
   return end == End::begin ? between(net, 0, net, 1) : between(net, last, net, last - 1);
 }

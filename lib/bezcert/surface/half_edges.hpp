@@ -1,13 +1,13 @@
-// The edges of the elements of a mesh, numbered one after another, and their curves.
+// The half-edges of a mesh: the edges of its elements, numbered one after another, and their curves.
 //
-// Edge i of an element leads from its corner i to the next, counter-clockwise in the domain, so that the
-// element lies on its left if it keeps the orientation. An edge that two elements share is two uses, one
-// each; the mesh's gluing.hpp says which. Only numbers are kept here (up to 8 bytes a use): curves are made
-// when asked for.
+// Half-edge i of an element leads from its corner i to the next, counter-clockwise in the domain, so that the
+// element lies on its left if it keeps the orientation. An edge that two elements share is two half-edges,
+// one each; surface.hpp says which. Only numbers are kept here (up to 8 bytes each): curves are made when
+// asked for.
 #pragma once
 
+#include "bezcert/curve/box.hpp"
 #include "bezcert/curve/dyadic_curve.hpp"
-#include "bezcert/curve/point.hpp"
 #include "bezcert/curve/vector.hpp"
 #include "bezcert/mesh/mesh.hpp"
 
@@ -19,21 +19,18 @@
 
 namespace bezcert {
 
-/// One edge of one element.
-using EdgeUse = std::uint32_t;
-inline constexpr EdgeUse no_edge = std::numeric_limits<EdgeUse>::max();
+/// One edge of one element, by its number.
+using HalfEdge = std::uint32_t;
+inline constexpr HalfEdge no_half_edge = std::numeric_limits<HalfEdge>::max();
+
+/// Edge `edge` of an element, from its corner of that number to the next.
+struct ElementEdge {
+  std::uint32_t element = 0;  ///< index into the mesh's elements
+  int edge = 0;
+};
 
 /// Which end of an edge.
 enum class End { begin, end };
-
-/// A closed rectangle that contains something.
-struct Box {
-  double x_low, x_high, y_low, y_high;
-
-  bool overlaps(const Box& other) const {
-    return x_low <= other.x_high && other.x_low <= x_high && y_low <= other.y_high && other.y_low <= y_high;
-  }
-};
 
 /// The nodes along an edge in its direction, or in the other one; a view of the mesh.
 class EdgeNodes {
@@ -67,67 +64,66 @@ class EdgeNodes {
   bool backwards_ = false;
 };
 
-class MeshEdges {
+class HalfEdges {
  public:
   /// Keeps a reference: `mesh` must outlive this. Throws std::length_error beyond 2^32 - 2 edges.
-  explicit MeshEdges(const Mesh& mesh);
+  explicit HalfEdges(const Mesh& mesh);
 
   const Mesh& mesh() const { return mesh_; }
   std::size_t count() const { return count_; }
   std::size_t element_count() const { return mesh_.elements.size(); }
 
-  std::uint32_t element(EdgeUse use) const {
-    return sides_ == 3 ? use / 3 : sides_ == 4 ? use / 4 : element_[use];
-  }
+  std::uint32_t element(HalfEdge h) const { return sides_ == 3 ? h / 3 : sides_ == 4 ? h / 4 : element_[h]; }
   /// Edge number within the element.
-  int edge(EdgeUse use) const { return static_cast<int>(use - first(element(use))); }
-  EdgeUse first(std::size_t element) const {
-    return sides_ != 0 ? static_cast<EdgeUse>(element * sides_) : first_[element];
+  int edge(HalfEdge h) const { return static_cast<int>(h - first(element(h))); }
+  HalfEdge first(std::size_t element) const {
+    return sides_ != 0 ? static_cast<HalfEdge>(element * sides_) : first_[element];
   }
-  EdgeUse next(EdgeUse use) const {
-    const std::uint32_t own = element(use);
-    return use + 1 == first(own + std::size_t{1}) ? first(own) : use + 1;
+  HalfEdge next(HalfEdge h) const {
+    const std::uint32_t own = element(h);
+    return h + 1 == first(own + std::size_t{1}) ? first(own) : h + 1;
   }
-  EdgeUse previous(EdgeUse use) const {
-    const std::uint32_t own = element(use);
-    return use == first(own) ? first(own + std::size_t{1}) - 1 : use - 1;
+  HalfEdge previous(HalfEdge h) const {
+    const std::uint32_t own = element(h);
+    return h == first(own) ? first(own + std::size_t{1}) - 1 : h - 1;
   }
 
-  /// The number the file gives the element of an edge.
-  std::uint64_t element_number(EdgeUse use) const { return mesh_.elements[element(use)].tag; }
+  ElementEdge element_edge(HalfEdge h) const { return {element(h), edge(h)}; }
+  HalfEdge half_edge(ElementEdge of) const { return first(of.element) + static_cast<HalfEdge>(of.edge); }
+
   /// The nodes along the edge; control points of it, or nodes that it interpolates.
-  EdgeNodes nodes(EdgeUse use) const {
-    const std::uint32_t own = element(use);
+  EdgeNodes nodes(HalfEdge h) const {
+    const std::uint32_t own = element(h);
     const std::size_t begin = stride_ > 0 ? own * stride_ : mesh_.elements[own].first_node;
-    return {mesh_.connectivity.data() + begin, shapes_[shape_of(own)].along[use - first(own)]};
+    return {mesh_.connectivity.data() + begin, shapes_[shape_of(own)].along[h - first(own)]};
   }
-  std::uint32_t begin_node(EdgeUse use) const { return nodes(use).front(); }
-  Basis basis(EdgeUse use) const { return shapes_[shape_of(element(use))].basis; }
+  std::uint32_t begin_node(HalfEdge h) const { return nodes(h).front(); }
+  Basis basis(HalfEdge h) const { return shapes_[shape_of(element(h))].basis; }
   Point point(std::uint32_t node) const { return {mesh_.x[node], mesh_.y[node]}; }
 
   /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is
   /// positive.
-  CurveNet<Integer> exact(EdgeUse use) const;
+  CurveNet<Integer> exact(HalfEdge h) const;
   /// Contains the true control points, up to the factor of W. Needs a RoundingScope.
-  CurveNet<Interval> interval(EdgeUse use) const;
+  CurveNet<Interval> interval(HalfEdge h) const;
   /// Both. Needs a RoundingScope.
-  DyadicCurve curve(EdgeUse use) const {
-    return DyadicCurve(interval(use), [this, use] { return exact(use); });
+  DyadicCurve curve(HalfEdge h) const {
+    return DyadicCurve(interval(h), [this, h] { return exact(h); });
   }
   /// Contains the edge. Needs a RoundingScope.
-  Box box(EdgeUse use) const;
+  Box box(HalfEdge h) const { return box_of(interval(h)); }
 
   /// The tangent at an end, away from it along the edge, times a positive number; not zero where the element
   /// is regular. `interval_tangent` needs a RoundingScope.
-  Vector2<Interval> interval_tangent(EdgeUse use, End end) const;
-  Vector2<Integer> exact_tangent(EdgeUse use, End end) const;
+  Vector2<Interval> interval_tangent(HalfEdge h, End end) const;
+  Vector2<Integer> exact_tangent(HalfEdge h, End end) const;
 
   /// The sign of a coordinate (0: x, 1: y) of the tangent, if sums of doubles and a bound of their error tell
-  /// it (proof in mesh_edges.cpp). In any rounding mode.
-  std::optional<int> tangent_sign(EdgeUse use, End end, int coordinate) const;
+  /// it (proof in half_edges.cpp). In any rounding mode.
+  std::optional<int> tangent_sign(HalfEdge h, End end, int coordinate) const;
 
   /// Whether all control points of the edge, or the nodes it interpolates, have one weight (or none).
-  bool equal_weights(EdgeUse use) const { return equal_weights(nodes(use)); }
+  bool equal_weights(HalfEdge h) const { return equal_weights(nodes(h)); }
 
  private:
   /// Positions of the nodes along each edge, in elements of one shape, and the coefficients of an end's
@@ -143,8 +139,8 @@ class MeshEdges {
 
   const Mesh& mesh_;
   std::size_t count_ = 0;
-  std::size_t sides_ = 0;       // of every element, if all have as many; else 0, and then
-  std::vector<EdgeUse> first_;  // of each element, and the end
+  std::size_t sides_ = 0;        // of every element, if all have as many; else 0, and then
+  std::vector<HalfEdge> first_;  // of each element, and the end
   std::vector<std::uint32_t> element_;
   std::vector<ShapeEdges> shapes_;
   std::vector<std::uint16_t> shape_;  // of each element

@@ -1,113 +1,113 @@
-#include "bezcert/surface/hanging.hpp"
-
 #include "bezcert/curve/incidence.hpp"
 #include "bezcert/curve/distance.hpp"
 #include "bezcert/surface/element_frame.hpp"
+#include "bezcert/surface/surface.hpp"
 
 #include <algorithm>
 
 namespace bezcert {
-namespace {
 
-class Search {
+// Looks at vertices where two or more boundary edges begin. The short edges begin at an end of the long one
+// and run exactly along it; or there are two of them, between its ends, close to it (element_frame.hpp).
+class Surface::HangingNodes {
  public:
-  Search(const MeshEdges& edges, const CornersByVertex& corners, Gluing& gluing, ObstacleList& obstacles)
-      : edges_(edges), corners_(corners), gluing_(gluing), obstacles_(obstacles) {}
+  HangingNodes(Surface& surface, ObstacleList& obstacles) : surface_(surface), obstacles_(obstacles) {}
 
   void run() {
-    for (std::uint32_t vertex = 0; vertex + 1 < corners_.start.size(); ++vertex) {
+    for (std::uint32_t vertex = 0; vertex < surface_.vertex_limit(); ++vertex) {
       // With very many parts at one vertex it is no hanging node, and comparing them all would take long.
-      constexpr std::size_t many = 32;
-      std::size_t parts = 0;
-      for (std::uint32_t i = corners_.start[vertex]; i < corners_.start[vertex + 1]; ++i) {
-        if (is_single(corners_.corners[i])) ++parts;
-      }
+      constexpr std::ptrdiff_t many = 32;
+      const auto corners = surface_.corners(vertex);
+      const auto parts =
+          std::count_if(corners.begin(), corners.end(), [&](HalfEdge h) { return is_single(h); });
       if (parts < 2 || parts > many) continue;
-      for (const EdgeUse use : leaving(vertex)) look_at(use);
-      for (const EdgeUse use : arriving(vertex)) look_at(use);
+      for (const HalfEdge h : leaving(vertex)) look_at(h);
+      for (const HalfEdge h : arriving(vertex)) look_at(h);
     }
   }
 
  private:
-  bool is_single(EdgeUse use) const { return gluing_.is_boundary(use) && !gluing_.faulty[use]; }
+  bool is_single(HalfEdge h) const { return surface_.is_boundary(h) && !surface_.is_faulty(h); }
 
   // Boundary edges that begin, or end, at a vertex.
-  std::vector<EdgeUse> leaving(std::uint32_t vertex) const {
-    std::vector<EdgeUse> result;
-    for (std::uint32_t i = corners_.start[vertex]; i < corners_.start[vertex + 1]; ++i) {
-      if (is_single(corners_.corners[i])) result.push_back(corners_.corners[i]);
+  std::vector<HalfEdge> leaving(std::uint32_t vertex) const {
+    std::vector<HalfEdge> result;
+    for (const HalfEdge corner : surface_.corners(vertex)) {
+      if (is_single(corner)) result.push_back(corner);
     }
     return result;
   }
-  std::vector<EdgeUse> arriving(std::uint32_t vertex) const {
-    std::vector<EdgeUse> result;
-    for (std::uint32_t i = corners_.start[vertex]; i < corners_.start[vertex + 1]; ++i) {
-      const EdgeUse use = edges_.previous(corners_.corners[i]);
-      if (is_single(use)) result.push_back(use);
+  std::vector<HalfEdge> arriving(std::uint32_t vertex) const {
+    std::vector<HalfEdge> result;
+    for (const HalfEdge corner : surface_.corners(vertex)) {
+      const HalfEdge h = surface_.previous(corner);
+      if (is_single(h)) result.push_back(h);
     }
     return result;
   }
 
-  std::uint32_t end(EdgeUse use) const { return gluing_.end(edges_, use); }
+  std::uint32_t begin(HalfEdge h) const { return surface_.begin(h); }
+  std::uint32_t end(HalfEdge h) const { return surface_.end(h); }
 
-  void look_at(EdgeUse use) {
-    if (!is_single(use)) return;  // named meanwhile
-    const CurveNet<Integer> net = edges_.exact(use);
-    std::vector<EdgeUse> chain = edges_along(use, net);
-    if (chain.empty()) chain = near_chain(use, net);
-    if (!chain.empty()) name_chain(use, net, chain);
+  void look_at(HalfEdge h) {
+    if (!is_single(h)) return;  // named meanwhile
+    const CurveNet<Integer> net = surface_.exact(h);
+    std::vector<HalfEdge> chain = edges_along(h, net);
+    if (chain.empty()) chain = near_chain(h, net);
+    if (!chain.empty()) name_chain(h, net, chain);
   }
 
   // Whether an edge between points of `net` runs along it: the middle too, as a straight way between two
   // points of a curved edge does not.
-  bool runs_along(const CurveNet<Integer>& net, EdgeUse one) const {
-    return passes_inside(net, point_at(edges_.exact(one), Rational(1, 2)));
+  bool runs_along(const CurveNet<Integer>& net, HalfEdge one) const {
+    return passes_inside(net, point_at(surface_.exact(one), Rational(1, 2)));
   }
 
-  // Short edges along `use`: from its end towards its beginning as far as they go, and from there on from its
+  // Short edges along `h`: from its end towards its beginning as far as they go, and from there on from its
   // beginning. Empty unless there is an inner vertex on it.
-  std::vector<EdgeUse> edges_along(EdgeUse use, const CurveNet<Integer>& net) const {
+  std::vector<HalfEdge> edges_along(HalfEdge h, const CurveNet<Integer>& net) const {
     constexpr std::size_t longest = 256;
-    std::vector<EdgeUse> chain;
-    const auto fits = [&](EdgeUse one) {
-      return edges_.element(one) != edges_.element(use) &&
+    std::vector<HalfEdge> chain;
+    const auto fits = [&](HalfEdge one) {
+      return surface_.element(one) != surface_.element(h) &&
              std::find(chain.begin(), chain.end(), one) == chain.end() && runs_along(net, one);
     };
-    for (std::uint32_t at = end(use); chain.size() < longest;) {
-      EdgeUse next = no_edge;
-      for (const EdgeUse one : leaving(at)) {
-        const bool last = end(one) == gluing_.begin[use];
+    for (std::uint32_t at = end(h); chain.size() < longest;) {
+      HalfEdge next = no_half_edge;
+      for (const HalfEdge one : leaving(at)) {
+        const bool last = end(one) == begin(h);
         if (last && chain.empty()) continue;  // another edge between the same two vertices
-        if ((last || passes_inside(net, edges_.point(end(one)))) && fits(one)) next = one;
+        if ((last || passes_inside(net, surface_.point(end(one)))) && fits(one)) next = one;
       }
-      if (next == no_edge) break;
+      if (next == no_half_edge) break;
       chain.push_back(next);
       at = end(next);
-      if (at == gluing_.begin[use]) return chain;
+      if (at == begin(h)) return chain;
     }
-    for (std::uint32_t at = gluing_.begin[use]; chain.size() < longest;) {
-      EdgeUse previous = no_edge;
-      for (const EdgeUse one : arriving(at)) {
-        if (passes_inside(net, edges_.point(gluing_.begin[one])) && fits(one)) previous = one;
+    for (std::uint32_t at = begin(h); chain.size() < longest;) {
+      HalfEdge previous = no_half_edge;
+      for (const HalfEdge one : arriving(at)) {
+        if (passes_inside(net, surface_.point(begin(one))) && fits(one)) previous = one;
       }
-      if (previous == no_edge) break;
+      if (previous == no_half_edge) break;
       chain.push_back(previous);
-      at = gluing_.begin[previous];
+      at = begin(previous);
     }
     return chain;
   }
 
-  // Two edges back with a node near `use`.
-  std::vector<EdgeUse> near_chain(EdgeUse use, const CurveNet<Integer>& net) const {
-    const ElementFrame frame(edges_, use);
+  // Two edges back with a node near `h`.
+  std::vector<HalfEdge> near_chain(HalfEdge h, const CurveNet<Integer>& net) const {
+    const ElementFrame frame(surface_, h);
     const auto is_beside = [&](const Point& point) { return is_near(frame, net, point); };
-    for (const EdgeUse first : leaving(end(use))) {
-      if (end(first) == gluing_.begin[use] || edges_.element(first) == edges_.element(use)) continue;
-      for (const EdgeUse second : leaving(end(first))) {
-        if (end(second) != gluing_.begin[use] || edges_.element(second) == edges_.element(use)) continue;
+    for (const HalfEdge first : leaving(end(h))) {
+      if (end(first) == begin(h) || surface_.element(first) == surface_.element(h)) continue;
+      for (const HalfEdge second : leaving(end(first))) {
+        if (end(second) != begin(h) || surface_.element(second) == surface_.element(h)) continue;
         // Not the node alone: the short edges run beside the long one.
-        if (is_beside(edges_.point(end(first))) && is_beside(point_at(edges_.exact(first), Rational(1, 2))) &&
-            is_beside(point_at(edges_.exact(second), Rational(1, 2)))) {
+        if (is_beside(surface_.point(end(first))) &&
+            is_beside(point_at(surface_.exact(first), Rational(1, 2))) &&
+            is_beside(point_at(surface_.exact(second), Rational(1, 2)))) {
           return {first, second};
         }
       }
@@ -115,69 +115,45 @@ class Search {
     return {};
   }
 
-  void name_chain(EdgeUse use, const CurveNet<Integer>& net, const std::vector<EdgeUse>& chain) {
-    gluing_.faulty[use] = true;
-    std::vector<std::uint32_t> nodes;  // between the ends of `use`
-    for (const EdgeUse one : chain) {
-      gluing_.faulty[one] = true;
-      if (gluing_.begin[one] == end(use)) gluing_.meant.emplace_back(use, one);
-      if (end(one) == gluing_.begin[use]) gluing_.meant.emplace_back(one, use);
-      for (const std::uint32_t node : {gluing_.begin[one], end(one)}) {
-        const bool inner = node != gluing_.begin[use] && node != end(use);
+  void name_chain(HalfEdge h, const CurveNet<Integer>& net, const std::vector<HalfEdge>& chain) {
+    surface_.faulty_[h] = true;
+    std::vector<std::uint32_t> nodes;  // between the ends of `h`
+    for (const HalfEdge one : chain) {
+      surface_.faulty_[one] = true;
+      if (begin(one) == end(h)) surface_.meant_.emplace_back(h, one);
+      if (end(one) == begin(h)) surface_.meant_.emplace_back(one, h);
+      for (const std::uint32_t node : {begin(one), end(one)}) {
+        const bool inner = node != begin(h) && node != end(h);
         if (inner && std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
       }
     }
-    for (const std::uint32_t node : nodes) name_node(use, net, chain, node);
+    for (const std::uint32_t node : nodes) {
+      obstacles_.add(MeshVerdict::non_conforming, [&] { return obstacle(h, net, chain, node); });
+    }
   }
 
-  void name_node(EdgeUse use, const CurveNet<Integer>& net, const std::vector<EdgeUse>& chain,
-                 std::uint32_t node) {
-    if (!obstacles_.wants(MeshVerdict::non_conforming)) {
-      return obstacles_.add_unnamed(MeshVerdict::non_conforming);
+  MeshObstacle obstacle(HalfEdge h, const CurveNet<Integer>& net, const std::vector<HalfEdge>& chain,
+                        std::uint32_t node) const {
+    const bool exactly = passes_inside(net, surface_.point(node));
+    MeshObstacle result;
+    result.cause = exactly ? Cause::hanging_inside : Cause::hanging_beside;
+    result.elements.push_back(surface_.element(h));
+    result.edges.push_back(surface_.element_edge(h));
+    for (const HalfEdge one : chain) {
+      if (begin(one) != node && end(one) != node) continue;
+      result.elements.push_back(surface_.element(one));
+      result.edges.push_back(surface_.element_edge(one));
     }
-    MeshObstacle obstacle;
-    obstacle.kind = MeshVerdict::non_conforming;
-    std::vector<std::uint32_t> neighbours;
-    name_edge(edges_, use, obstacle);
-    for (const EdgeUse one : chain) {
-      if (gluing_.begin[one] != node && end(one) != node) continue;
-      name_edge(edges_, one, obstacle);
-      neighbours.push_back(edges_.element(one));
-    }
-    sort_unique(neighbours);
-    obstacle.elements = neighbours;
-    obstacle.elements.push_back(edges_.element(use));
-    sort_unique(obstacle.elements);
-    name_nodes(edges_, {node}, obstacle);
-    const bool exactly = passes_inside(net, edges_.point(node));
-    obstacle.distance = exactly ? DistanceBounds{} : distance_bounds(net, edges_.point(node));
-    obstacle.message = node_text(edges_, node) + ", a corner of " + elements_text(edges_.mesh(), neighbours) +
-                       (exactly ? ", lies inside edge " : ", lies beside edge ") +
-                       std::to_string(edges_.edge(use)) + " of element " +
-                       std::to_string(edges_.element_number(use));
-    if (!exactly) {
-      obstacle.message += ", at most " + to_decimal(to_rational(obstacle.distance->upper)) + " from it";
-    }
-    obstacle.hint = "a hanging node: split that element there, or remove the node";
-    obstacles_.add(std::move(obstacle));
+    sort_unique(result.elements);
+    result.add_node(surface_, node);
+    result.distance = exactly ? DistanceBounds{} : distance_bounds(net, surface_.point(node));
+    return result;
   }
 
-  static void sort_unique(std::vector<std::uint32_t>& elements) {
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-  }
-
-  const MeshEdges& edges_;
-  const CornersByVertex& corners_;
-  Gluing& gluing_;
+  Surface& surface_;
   ObstacleList& obstacles_;
 };
 
-}  // namespace
-
-void find_hanging_nodes(const MeshEdges& edges, const CornersByVertex& corners, Gluing& gluing,
-                        ObstacleList& obstacles) {
-  Search(edges, corners, gluing, obstacles).run();
-}
+void Surface::find_hanging_nodes(ObstacleList& obstacles) { HangingNodes(*this, obstacles).run(); }
 
 }  // namespace bezcert

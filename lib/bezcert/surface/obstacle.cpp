@@ -4,22 +4,53 @@
 
 namespace bezcert {
 
-std::string_view name(MeshVerdict verdict) {
-  switch (verdict) {
-    case MeshVerdict::embedding: return "embedding";
-    case MeshVerdict::invalid_element: return "invalid_element";
-    case MeshVerdict::non_manifold: return "non_manifold";
-    case MeshVerdict::non_conforming: return "non_conforming";
-    case MeshVerdict::folded_vertex: return "folded_vertex";
-    case MeshVerdict::overlapping_boundary: return "overlapping_boundary";
-    case MeshVerdict::undecided: return "undecided";
+MeshVerdict kind_of(Cause cause) {
+  switch (cause) {
+    case Cause::not_injective: return MeshVerdict::invalid_element;
+    case Cause::too_many_elements:
+    case Cause::one_side:
+    case Cause::pinched_vertex: return MeshVerdict::non_manifold;
+    case Cause::crack:
+    case Cause::crack_in_one_shape:
+    case Cause::hanging_inside:
+    case Cause::hanging_beside:
+    case Cause::hanging_on_border:
+    case Cause::hanging_in_gap: return MeshVerdict::non_conforming;
+    case Cause::more_than_one_turn:
+    case Cause::sliver_covered_twice:
+    case Cause::several_turns: return MeshVerdict::folded_vertex;
+    case Cause::unmerged_edges:
+    case Cause::unmerged_nodes:
+    case Cause::edges_meet:
+    case Cause::edges_overlap:
+    case Cause::nested: return MeshVerdict::overlapping_boundary;
+    case Cause::not_decided:
+    case Cause::contact_open:
+    case Cause::nesting_open: break;
   }
-  return "";
+  return MeshVerdict::undecided;
 }
 
-void ObstacleList::add(MeshObstacle obstacle) {
-  const auto kind = static_cast<std::size_t>(obstacle.kind);
-  ++counts_[kind];
+void MeshObstacle::add_element(std::uint32_t element) {
+  constexpr std::size_t named = 100;
+  if (elements.size() == named || std::find(elements.begin(), elements.end(), element) != elements.end())
+    return;
+  elements.push_back(element);
+}
+
+void MeshObstacle::add_node(const HalfEdges& half_edges, std::uint32_t node) {
+  if (half_edges.mesh().glued_by_nodes) nodes.push_back(node);
+  points.push_back(half_edges.point(node));
+}
+
+void sort_unique(std::vector<std::uint32_t>& indices) {
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
+void ObstacleList::add(MeshObstacle obstacle, std::size_t count) {
+  const auto kind = static_cast<std::size_t>(obstacle.kind());
+  counts_[kind] += count;
   if (element_ &&
       std::find(obstacle.elements.begin(), obstacle.elements.end(), *element_) == obstacle.elements.end()) {
     return;
@@ -33,49 +64,11 @@ std::vector<MeshObstacle> ObstacleList::all() const {
   return result;
 }
 
-bool ObstacleList::empty() const {
-  return std::all_of(counts_.begin(), counts_.end(), [](std::size_t count) { return count == 0; });
-}
-
 MeshVerdict ObstacleList::verdict() const {
   for (std::size_t kind = 0; kind < counts_.size(); ++kind) {
     if (counts_[kind] > 0) return static_cast<MeshVerdict>(kind);
   }
   return MeshVerdict::embedding;
-}
-
-std::string text_of(const Point& point) {
-  return "(" + to_decimal(point.x) + ", " + to_decimal(point.y) + ")";
-}
-
-std::string node_text(const MeshEdges& edges, std::uint32_t node) {
-  const std::string where = text_of(edges.point(node));
-  if (!edges.mesh().glued_by_nodes) return "the point " + where;
-  return "node " + std::to_string(edges.mesh().node_number(node)) + " at " + where;
-}
-
-std::string elements_text(const Mesh& mesh, const std::vector<std::uint32_t>& elements) {
-  constexpr std::size_t listed = 8;
-  std::string text = elements.size() == 1 ? "element " : "elements ";
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (i == listed) return text + " and " + std::to_string(elements.size() - listed) + " more";
-    if (i > 0) text += i + 1 == elements.size() ? " and " : ", ";
-    text += std::to_string(mesh.elements[elements[i]].tag);
-  }
-  return text;
-}
-
-void name_nodes(const MeshEdges& edges, const std::vector<std::uint32_t>& nodes, MeshObstacle& obstacle) {
-  for (const std::uint32_t node : nodes) {
-    if (edges.mesh().glued_by_nodes) obstacle.nodes.push_back(node);
-    obstacle.points.push_back(edges.point(node));
-  }
-}
-
-std::string text_of(const DistanceBounds& distance) {
-  const std::string lower = to_decimal(to_rational(distance.lower));
-  const std::string upper = to_decimal(to_rational(distance.upper));
-  return lower == upper ? lower : lower + " to " + upper;
 }
 
 }  // namespace bezcert

@@ -48,8 +48,8 @@ struct Direction {
   double x, y;
 };
 
-bool runs_along(const MeshEdges& edges, EdgeUse use, Direction d) {
-  const EdgeNodes nodes = edges.nodes(use);
+bool runs_along(const HalfEdges& edges, HalfEdge h, Direction d) {
+  const EdgeNodes nodes = edges.nodes(h);
   const double* const x = edges.mesh().x.doubles().data();
   const double* const y = edges.mesh().y.doubles().data();
   const std::size_t count = nodes.size();
@@ -63,7 +63,7 @@ bool runs_along(const MeshEdges& edges, EdgeUse use, Direction d) {
   }
   if (!(a > 0x1p-800 && a < 0x1p850 && largest < 0x1p900)) return false;
   const double unit = 2 * static_cast<double>(count + 4) * 0x1p-52 * a;
-  if (edges.basis(use) == Basis::bernstein) {
+  if (edges.basis(h) == Basis::bernstein) {
     for (std::size_t i = 0; i + 1 < count; ++i) {
       if (!(along[i + 1] - along[i] > 2 * unit)) return false;
     }
@@ -80,7 +80,7 @@ bool runs_along(const MeshEdges& edges, EdgeUse use, Direction d) {
 
 }  // namespace
 
-bool run_one_way(const MeshEdges& edges, EdgeUse first, EdgeUse second) {
+bool run_one_way(const HalfEdges& edges, HalfEdge first, HalfEdge second) {
   const Mesh& mesh = edges.mesh();
   if (!mesh.x.binary64() || !mesh.y.binary64()) return false;
   if (!edges.equal_weights(first) || !edges.equal_weights(second)) return false;

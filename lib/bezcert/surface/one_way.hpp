@@ -22,6 +22,6 @@ namespace bezcert {
 
 /// True only if the edges certainly have one point in common, the end of `first`, which is the beginning of
 /// `second`. In any rounding mode. Precondition: that is one node, or two at one point.
-bool run_one_way(const MeshEdges& edges, EdgeUse first, EdgeUse second);
+bool run_one_way(const HalfEdges& edges, HalfEdge first, HalfEdge second);
 
 }  // namespace bezcert

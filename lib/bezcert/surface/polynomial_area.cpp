@@ -1,7 +1,7 @@
 #include "bezcert/surface/polynomial_area.hpp"
 
-#include "bezcert/bernstein/multinomial.hpp"
 #include "bezcert/bernstein/table_cache.hpp"
+#include "bezcert/curve/area.hpp"
 #include "bezcert/element/lagrange.hpp"
 
 #include <algorithm>
@@ -74,36 +74,16 @@ void set_scaled(Integer& to, double x, int e) {
 
 }  // namespace
 
-std::pair<Rational, Rational> bracket_integral(const std::vector<Integer>& x, const std::vector<Integer>& y) {
-  // The scaled coefficients (number k times C(2n-1, k)) of X Y' - Y X', degree 2n - 1.
-  const int n = static_cast<int>(x.size()) - 1;
-  std::vector<Integer> scaled(2 * x.size() - 2, 0);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    for (std::size_t j = 0; j + 1 < x.size(); ++j) {
-      const Integer products = x[i] * (y[j + 1] - y[j]) - y[i] * (x[j + 1] - x[j]);
-      scaled[i + j] += products * binomial(n, static_cast<int>(i)) * binomial(n - 1, static_cast<int>(j)) * n;
-    }
-  }
-  // The integral over [0, 1] is the mean of the Bernstein coefficients.
-  const int degree = static_cast<int>(scaled.size()) - 1;
-  Rational positive = 0, negative = 0;
-  for (int k = 0; k <= degree; ++k) {
-    const Integer& value = scaled[static_cast<std::size_t>(k)];
-    (value.sign() > 0 ? positive : negative) += Rational(value, binomial(degree, k));
-  }
-  return {positive / (degree + 1), negative / (degree + 1)};
+bool has_plain_area(const HalfEdges& edges, HalfEdge h) {
+  return edges.mesh().x.binary64() && edges.mesh().y.binary64() && edges.equal_weights(h);
 }
 
-bool has_plain_area(const MeshEdges& edges, EdgeUse use) {
-  return edges.mesh().x.binary64() && edges.mesh().y.binary64() && edges.equal_weights(use);
-}
-
-Rational plain_area(const MeshEdges& edges, std::span<const EdgeUse> uses) {
+Rational plain_area(const HalfEdges& edges, std::span<const HalfEdge> half_edges) {
   const double* const x = edges.mesh().x.doubles().data();
   const double* const y = edges.mesh().y.doubles().data();
   std::optional<int> lowest;
-  for (const EdgeUse use : uses) {
-    const EdgeNodes nodes = edges.nodes(use);
+  for (const HalfEdge h : half_edges) {
+    const EdgeNodes nodes = edges.nodes(h);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (const double number : {x[nodes[i]], y[nodes[i]]}) {
         if (number != 0) lowest = std::min(lowest.value_or(lowest_bit(number)), lowest_bit(number));
@@ -114,9 +94,9 @@ Rational plain_area(const MeshEdges& edges, std::span<const EdgeUse> uses) {
   std::map<const AreaForm*, Integer> sums;
   std::vector<Integer> xs, ys;
   Integer pair;
-  for (const EdgeUse use : uses) {
-    const EdgeNodes nodes = edges.nodes(use);
-    const AreaForm& form = area_form(nodes.size(), edges.basis(use));
+  for (const HalfEdge h : half_edges) {
+    const EdgeNodes nodes = edges.nodes(h);
+    const AreaForm& form = area_form(nodes.size(), edges.basis(h));
     xs.resize(nodes.size());
     ys.resize(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -12,14 +12,10 @@
 
 namespace bezcert {
 
-/// The integral of X Y' - Y X' over [0, 1] for Bernstein coefficients of X and Y, as the sums of the shares
-/// of its positive and of its negative scaled Bernstein coefficients.
-std::pair<Rational, Rational> bracket_integral(const std::vector<Integer>& x, const std::vector<Integer>& y);
-
 /// Whether an edge is polynomial and its coordinates are doubles.
-bool has_plain_area(const MeshEdges& edges, EdgeUse use);
+bool has_plain_area(const HalfEdges& edges, HalfEdge h);
 
 /// The sum of the shares of edges for which has_plain_area holds.
-Rational plain_area(const MeshEdges& edges, std::span<const EdgeUse> uses);
+Rational plain_area(const HalfEdges& edges, std::span<const HalfEdge> half_edges);
 
 }  // namespace bezcert

@@ -1,12 +1,25 @@
-#include "bezcert/curve/box_sweep.hpp"
+#include "bezcert/curve/box.hpp"
 
-#include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace bezcert {
 
+Box box_of(const CurveNet<Interval>& net) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Box box{infinite, -infinite, infinite, -infinite};
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    const Interval x = net.x[i] / net.w[i], y = net.y[i] / net.w[i];
+    const bool known = x.inf() <= x.sup() && y.inf() <= y.sup();
+    if (!known) return {-infinite, infinite, -infinite, infinite};  // a NaN: overflow
+    box.add({x.inf(), x.sup(), y.inf(), y.sup()});
+  }
+  return box;
+}
+
 void for_overlapping_boxes(std::span<const Box> boxes,
                            const std::function<bool(std::size_t, std::size_t)>& visit) {
+  // A sweep along x with a list of the boxes that are open there.
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
