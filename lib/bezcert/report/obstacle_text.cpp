@@ -1,5 +1,7 @@
 #include "bezcert/report/obstacle_text.hpp"
 
+#include "bezcert/report/decision_text.hpp"
+
 namespace bezcert {
 namespace {
 
@@ -157,7 +159,9 @@ std::string message(const Mesh& mesh, const MeshObstacle& obstacle) {
              node_text(mesh, obstacle) + ") lies inside " + component(1) + " (with " +
              element_text(mesh, obstacle.elements[1]) + ")";
     case Cause::contact_open:
-      return "whether " + edge(0) + " meets " + edge(1) + " is open: " + obstacle.exhausted;
+      return "whether " + edge(0) + " meets " + edge(1) + " is open: " +
+             text_of({ExhaustedBudget::Limit::contact_bits, obstacle.exceeded->allowed,
+                      obstacle.exceeded->needed, 0, 0});
     case Cause::nesting_open:
       return "whether " + component(0) + " lies in " + component(1) + " is open: winding depth";
   }

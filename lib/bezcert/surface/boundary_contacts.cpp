@@ -80,7 +80,7 @@ class BoundaryCheck {
   void look_at(HalfEdge a, HalfEdge b) {
     const ContactResult result = find_contact(curve(a), curve(b), joints_of(surface_, a, b), budget_);
     if (result.status == ContactStatus::none) return;
-    if (result.status == ContactStatus::open) return open(a, b, result.exhausted);
+    if (result.status == ContactStatus::open) return open(a, b, *result.exceeded);
     const CurveNet<Integer> net_a = surface_.exact(a), net_b = surface_.exact(b);
     if (same_curve(net_a, reversed(net_b))) return add(with_ends(Cause::unmerged_edges, a, b));
     Contact contact = *result.contact;
@@ -126,9 +126,9 @@ class BoundaryCheck {
     obstacles_.add(std::move(obstacle));
   }
 
-  void open(HalfEdge a, HalfEdge b, const std::string& exhausted) {
+  void open(HalfEdge a, HalfEdge b, const ExceededBits& exceeded) {
     MeshObstacle result = with_ends(Cause::contact_open, a, b);
-    result.exhausted = exhausted;
+    result.exceeded = exceeded;
     add(std::move(result));
   }
 

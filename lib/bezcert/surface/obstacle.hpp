@@ -38,7 +38,7 @@ enum class Cause {
   edges_overlap,   ///< the same, along a piece
   nested,  ///< the first of `components` lies inside the second; an element of each, a node of the first
   // undecided.
-  contact_open,  ///< whether two edges meet; `exhausted`
+  contact_open,  ///< whether two edges meet; `exceeded`
   nesting_open,  ///< whether the first of `components` lies inside the second
 };
 
@@ -55,7 +55,7 @@ struct MeshObstacle {
   std::size_t count = 0;
   std::array<ParameterRange, 2> at;
   std::array<std::size_t, 2> components{};  ///< numbered from 0
-  std::string exhausted;                    ///< the budget that ran out
+  std::optional<ExceededBits> exceeded;
 
   MeshVerdict kind() const { return kind_of(cause); }
   /// Adds an element, unless it is named already or a hundred are.
