@@ -8,9 +8,9 @@
 #include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
+#include "bezcert/number/parse.hpp"
 #include "bezcert/surface/domain.hpp"
 #include "bezcert/surface/embedding.hpp"
-#include "bezcert/number/parse.hpp"
 #include "cross_check.hpp"
 
 #include <fstream>

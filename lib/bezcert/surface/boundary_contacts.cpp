@@ -107,10 +107,7 @@ class BoundaryCheck {
   MeshObstacle obstacle(Cause cause, std::initializer_list<HalfEdge> edges) const {
     MeshObstacle result;
     result.cause = cause;
-    for (const HalfEdge h : edges) {
-      result.elements.push_back(surface_.element(h));
-      result.edges.push_back(surface_.element_edge(h));
-    }
+    for (const HalfEdge h : edges) result.add_edge(surface_, h);
     return result;
   }
 
@@ -142,12 +139,9 @@ class BoundaryCheck {
       if (!hanging_.insert({node, h}).second) return true;
       MeshObstacle result = obstacle(Cause::hanging_on_border, {});
       for (const HalfEdge one : chain) {
-        if (begin(one) != node && end(one) != node) continue;
-        result.elements.push_back(surface_.element(one));
-        result.edges.push_back(surface_.element_edge(one));
+        if (begin(one) == node || end(one) == node) result.add_edge(surface_, one);
       }
-      result.elements.push_back(surface_.element(h));
-      result.edges.push_back(surface_.element_edge(h));
+      result.add_edge(surface_, h);
       sort_unique(result.elements);
       result.add_node(surface_, node);
       result.distance = DistanceBounds{};

@@ -12,26 +12,19 @@ namespace {
 class VertexIndex {
  public:
   explicit VertexIndex(const Surface& surface) : surface_(surface) {
-    const Mesh& mesh = surface.mesh();
     for (std::uint32_t vertex = 0; vertex < surface.vertex_limit(); ++vertex) {
       if (!surface.corners(vertex).empty()) vertices_.push_back(vertex);
     }
-    const bool doubles = mesh.x.binary64() && mesh.y.binary64();
     std::sort(vertices_.begin(), vertices_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      if (doubles) {
-        const auto key = [&](std::uint32_t v) {
-          return std::tuple(mesh.x.doubles()[v], mesh.y.doubles()[v], v);
-        };
-        return key(a) < key(b);
-      }
-      const int order = compare(surface.point(a), surface.point(b));
+      const int order = surface.compare_points(a, b);
       return order != 0 ? order < 0 : a < b;
     });
   }
 
   std::vector<std::uint32_t> at(const Point& point) const {
     const auto first = std::partition_point(vertices_.begin(), vertices_.end(), [&](std::uint32_t vertex) {
-      return compare(surface_.point(vertex), point) < 0;
+      const Point p = surface_.point(vertex);
+      return p.x != point.x ? p.x < point.x : p.y < point.y;
     });
     std::vector<std::uint32_t> result;
     for (auto it = first; it != vertices_.end() && surface_.point(*it) == point; ++it) result.push_back(*it);
@@ -39,11 +32,6 @@ class VertexIndex {
   }
 
  private:
-  static int compare(const Point& a, const Point& b) {
-    if (a.x != b.x) return a.x < b.x ? -1 : 1;
-    return a.y < b.y ? -1 : a.y == b.y ? 0 : 1;
-  }
-
   const Surface& surface_;
   std::vector<std::uint32_t> vertices_;
 };

@@ -1,7 +1,7 @@
 #include "bezcert/surface/element_frame.hpp"
 
-#include "bezcert/curve/same_curve.hpp"
 #include "bezcert/curve/incidence.hpp"
+#include "bezcert/curve/same_curve.hpp"
 
 namespace bezcert {
 namespace {

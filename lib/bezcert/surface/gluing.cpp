@@ -1,6 +1,6 @@
-#include "bezcert/curve/same_curve.hpp"
-#include "bezcert/curve/incidence.hpp"
 #include "bezcert/curve/distance.hpp"
+#include "bezcert/curve/incidence.hpp"
+#include "bezcert/curve/same_curve.hpp"
 #include "bezcert/surface/element_frame.hpp"
 #include "bezcert/surface/surface.hpp"
 
@@ -21,24 +21,13 @@ std::vector<std::uint32_t> begin_vertices(const HalfEdges& edges) {
   std::vector<std::uint32_t> nodes = result;
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  const bool doubles = mesh.x.binary64() && mesh.y.binary64();
-  const auto compare = [&](std::uint32_t a, std::uint32_t b) {
-    if (doubles) {
-      const auto key = [&](std::uint32_t n) { return std::pair(mesh.x.doubles()[n], mesh.y.doubles()[n]); };
-      return key(a) < key(b) ? -1 : key(b) < key(a) ? 1 : 0;
-    }
-    const Rational xa = mesh.x[a], xb = mesh.x[b];
-    if (xa != xb) return xa < xb ? -1 : 1;
-    const Rational ya = mesh.y[a], yb = mesh.y[b];
-    return ya < yb ? -1 : ya == yb ? 0 : 1;
-  };
   std::sort(nodes.begin(), nodes.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const int order = compare(a, b);
+    const int order = edges.compare_points(a, b);
     return order != 0 ? order < 0 : a < b;
   });
   std::vector<std::uint32_t> vertex(mesh.x.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const bool same = i > 0 && compare(nodes[i - 1], nodes[i]) == 0;
+    const bool same = i > 0 && edges.compare_points(nodes[i - 1], nodes[i]) == 0;
     vertex[nodes[i]] = same ? vertex[nodes[i - 1]] : nodes[i];
   }
   for (std::uint32_t& node : result) node = vertex[node];
@@ -213,9 +202,7 @@ class Surface::Gluer {
     result.cause = cause;
     result.count = sides.size();
     for (const Side& side : sides) {
-      if (result.elements.size() == named) break;
-      result.elements.push_back(surface_.element(side.h));
-      result.edges.push_back(surface_.element_edge(side.h));
+      if (result.elements.size() < named) result.add_edge(surface_, side.h);
     }
     result.add_node(surface_, sides[0].smaller);
     result.add_node(surface_, sides[0].larger);

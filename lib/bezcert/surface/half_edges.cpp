@@ -107,6 +107,16 @@ HalfEdges::HalfEdges(const Mesh& mesh) : mesh_(mesh) {
   first_.push_back(static_cast<HalfEdge>(count_));
 }
 
+int HalfEdges::compare_points(std::uint32_t a, std::uint32_t b) const {
+  const auto compare = [](const auto& p, const auto& q) { return p == q ? 0 : p < q ? -1 : 1; };
+  if (mesh_.x.binary64() && mesh_.y.binary64()) {
+    const int x = compare(mesh_.x.doubles()[a], mesh_.x.doubles()[b]);
+    return x != 0 ? x : compare(mesh_.y.doubles()[a], mesh_.y.doubles()[b]);
+  }
+  const Point p = point(a), q = point(b);
+  return p.x != q.x ? compare(p.x, q.x) : compare(p.y, q.y);
+}
+
 bool HalfEdges::equal_weights(const EdgeNodes& nodes) const {
   if (mesh_.weights.empty()) return true;
   for (std::size_t i = 1; i < nodes.size(); ++i) {

@@ -100,6 +100,8 @@ class HalfEdges {
   std::uint32_t begin_node(HalfEdge h) const { return nodes(h).front(); }
   Basis basis(HalfEdge h) const { return shapes_[shape_of(element(h))].basis; }
   Point point(std::uint32_t node) const { return {mesh_.x[node], mesh_.y[node]}; }
+  /// Compares two nodes by x, then by y: -1, 0, 1. Exact.
+  int compare_points(std::uint32_t a, std::uint32_t b) const;
 
   /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is
   /// positive.

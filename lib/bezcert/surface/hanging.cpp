@@ -1,5 +1,5 @@
-#include "bezcert/curve/incidence.hpp"
 #include "bezcert/curve/distance.hpp"
+#include "bezcert/curve/incidence.hpp"
 #include "bezcert/surface/element_frame.hpp"
 #include "bezcert/surface/surface.hpp"
 
@@ -137,12 +137,9 @@ class Surface::HangingNodes {
     const bool exactly = passes_inside(net, surface_.point(node));
     MeshObstacle result;
     result.cause = exactly ? Cause::hanging_inside : Cause::hanging_beside;
-    result.elements.push_back(surface_.element(h));
-    result.edges.push_back(surface_.element_edge(h));
+    result.add_edge(surface_, h);
     for (const HalfEdge one : chain) {
-      if (begin(one) != node && end(one) != node) continue;
-      result.elements.push_back(surface_.element(one));
-      result.edges.push_back(surface_.element_edge(one));
+      if (begin(one) == node || end(one) == node) result.add_edge(surface_, one);
     }
     sort_unique(result.elements);
     result.add_node(surface_, node);

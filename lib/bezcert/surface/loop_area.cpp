@@ -35,12 +35,12 @@ LoopArea loop_area(const HalfEdges& edges, const BoundaryLoop& loop) {
       plain.push_back(h);
       continue;
     }
-    CurveNet<Integer> net = edges.exact(h);
-    const bool is_exact = is_polynomial(net);
-    DyadicCurve& curve = rational.emplace_back(std::nullopt, std::move(net));
-    if (!is_exact) continue;
-    polynomial += area_beside(curve, 0);
-    rational.pop_back();
+    DyadicCurve curve(std::nullopt, edges.exact(h));
+    if (is_polynomial(curve.exact(DyadicCurve::whole))) {
+      polynomial += area_beside(curve, 0);
+    } else {
+      rational.push_back(std::move(curve));
+    }
   }
   const Rational area_of_plain = plain_area(edges, plain);
   polynomial += {area_of_plain, area_of_plain};

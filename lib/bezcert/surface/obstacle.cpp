@@ -31,6 +31,11 @@ MeshVerdict kind_of(Cause cause) {
   return MeshVerdict::undecided;
 }
 
+void MeshObstacle::add_edge(const HalfEdges& half_edges, HalfEdge h) {
+  elements.push_back(half_edges.element(h));
+  edges.push_back(half_edges.element_edge(h));
+}
+
 void MeshObstacle::add_element(std::uint32_t element) {
   constexpr std::size_t named = 100;
   if (elements.size() == named || std::find(elements.begin(), elements.end(), element) != elements.end())

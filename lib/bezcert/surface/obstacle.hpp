@@ -58,6 +58,8 @@ struct MeshObstacle {
   std::optional<ExceededBits> exceeded;
 
   MeshVerdict kind() const { return kind_of(cause); }
+  /// Adds an edge and its element.
+  void add_edge(const HalfEdges& half_edges, HalfEdge h);
   /// Adds an element, unless it is named already or a hundred are.
   void add_element(std::uint32_t element);
   /// Adds a node (a vertex of the surface) with its point.
