@@ -6,13 +6,11 @@
 
 #include "bezcert/element/jacobian.hpp"
 #include "bezcert/element/net.hpp"
+#include "bezcert/number/filter.hpp"
 
 #include <optional>
 
 namespace bezcert {
-
-/// Whether to try intervals before exact integers. Answers do not depend on it (a test checks).
-enum class Filter { on, off };
 
 /// N (times `numerator_multiple`) and W of an element.
 template <class T>

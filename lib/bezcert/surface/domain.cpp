@@ -167,6 +167,7 @@ DomainResult check_domain(const Surface& surface, std::span<const InputCurve> cu
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (auto failure = check.check(curves[i])) {
       failure->curve = i;
+      failure->curve_name = curves[i].name;
       result.failures.push_back(std::move(*failure));
     } else {
       ++result.covered;
