@@ -1,5 +1,4 @@
 // The command line: options in, one subcommand run, an exit code out.
-#include "bezcert/algebra/flint_functions.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "check.hpp"
 #include "exit_code.hpp"
@@ -202,10 +201,6 @@ int main(int argc, char** argv) {
   } catch (const bezcert::InputError& error) {
     std::cout.flush();
     std::cerr << error.what() << '\n';
-    return bezcert::certify::exit_input_error;
-  } catch (const bezcert::FlintMissing& error) {
-    std::cout.flush();
-    std::cerr << "certify: " << error.what() << '\n';
     return bezcert::certify::exit_input_error;
   }
 }

@@ -64,13 +64,8 @@ TEST_CASE("near edges hold all contacts, and obstacles do not depend on when the
           continue;
         if (gluing.begin[p] == gluing.begin[q] || gluing.end(edges, p) == gluing.end(edges, q)) continue;
         const Joints joints{gluing.end(edges, p) == gluing.begin[q], gluing.begin[p] == gluing.end(edges, q)};
-        std::optional<DyadicCurve> a, b;
-        {
-          const RoundingScope scope;
-          a.emplace(edges.curve(p));
-          b.emplace(edges.curve(q));
-        }
-        const bool meet = find_contact(*a, *b, joints).status == ContactStatus::contact;
+        DyadicCurve a = edges.curve(p), b = edges.curve(q);
+        const bool meet = find_contact(a, b, joints).status == ContactStatus::contact;
         const bool near = std::find(all->begin(), all->end(), NearEdges{p, q}) != all->end();
         if (meet) REQUIRE(near);
         ++(meet ? contacts : near ? only_near : apart);

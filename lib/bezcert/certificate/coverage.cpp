@@ -81,7 +81,6 @@ bool Coverage::covers(std::uint32_t element, const Point& point) const {
   if (claims_[element] != ElementState::injective) return false;
   int winding = 0;
   for (EdgeUse use = edges_.first(element); use < edges_.first(element + 1); ++use) {
-    const RoundingScope scope;
     DyadicCurve curve = edges_.curve(use);
     const std::optional<int> share = winding_share(curve, point, deepest);
     if (!share) return false;
@@ -127,9 +126,9 @@ std::optional<std::string> Coverage::with_any(std::uint32_t element) const {
       // A point inside is left of some edge and right of another, or level with an edge.
       Box box = at;
       {
-        const RoundingScope scope;
+        const RoundUp up;
         for (EdgeUse edge = edges_.first(other); edge < edges_.first(other + 1); ++edge) {
-          const Box one = edges_.box(edge);
+          const Box one = edges_.box(up, edge);
           if (edge == edges_.first(other)) box = one;
           box = {std::min(box.x_low, one.x_low), std::max(box.x_high, one.x_high),
                  std::min(box.y_low, one.y_low), std::max(box.y_high, one.y_high)};

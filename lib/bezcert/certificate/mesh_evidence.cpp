@@ -29,9 +29,8 @@ class EmbeddingWriter {
     std::vector<Box> boxes;
     for (EdgeUse use = 0; use < edges_.count(); ++use) {
       if (!surface_.gluing.is_boundary(use)) continue;
-      const RoundingScope scope;
       uses.push_back(use);
-      boxes.push_back(edges_.box(use));
+      boxes.push_back(edges_.box(RoundUp(), use));
     }
     bool complete = true;
     for_overlapping_boxes(boxes, [&](std::size_t i, std::size_t j) {
@@ -55,7 +54,6 @@ class EmbeddingWriter {
 
   // Curves met lately: an edge has several neighbours.
   DyadicCurve& curve(EdgeUse use) {
-    const RoundingScope scope;
     const auto found = curves_.find(use);
     if (found != curves_.end()) return found->second;
     return curves_.try_emplace(use, edges_.curve(use)).first->second;

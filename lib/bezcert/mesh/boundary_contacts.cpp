@@ -64,11 +64,11 @@ bool for_near_edges(const MeshEdges& edges, const Gluing& gluing, const Fans& fa
   std::vector<EdgeUse> uses;
   std::vector<Box> boxes;
   {
-    const RoundingScope scope;
+    const RoundUp up;
     for (EdgeUse use = 0; use < edges.count(); ++use) {
       if (!gluing.is_boundary(use) || gluing.faulty[use]) continue;
       uses.push_back(use);
-      boxes.push_back(edges.box(use));
+      boxes.push_back(edges.box(up, use));
     }
   }
   std::size_t overlaps = 0;
@@ -127,7 +127,6 @@ class BoundaryCheck {
         it = it->first == last_ ? std::next(it) : curves_.erase(it);
     }
     last_ = use;
-    const RoundingScope scope;
     return curves_.try_emplace(use, edges_.curve(use)).first->second;
   }
 

@@ -64,9 +64,9 @@ class ComponentCheck {
   }
 
   Box box_of(const BoundaryLoop& loop) {
-    const RoundingScope scope;
+    const RoundUp up;
     std::vector<Box>& each = edge_boxes_.emplace_back();
-    for (const EdgeUse use : loop.uses) each.push_back(edges_.box(use));
+    for (const EdgeUse use : loop.uses) each.push_back(edges_.box(up, use));
     Box box = each[0];
     for (const Box& other : each) {
       box = {std::min(box.x_low, other.x_low), std::max(box.x_high, other.x_high),
@@ -92,7 +92,6 @@ class ComponentCheck {
         const Box& box = edge_boxes_[loop][i];
         if (box.y_low > y.sup() || box.y_high < y.inf() || box.x_high < x.inf()) continue;
         const EdgeUse use = loops_[loop].uses[i];
-        const RoundingScope scope;
         DyadicCurve curve = edges_.curve(use);
         const std::optional<int> share = winding_share(curve, point);
         if (!share) {

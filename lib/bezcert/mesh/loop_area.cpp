@@ -60,7 +60,6 @@ bool is_narrow(const AreaBounds& area) {
 // the first edge, nearer and nearer on both sides: one side is inside.
 int orientation_by_winding(const MeshEdges& edges, const BoundaryLoop& loop) {
   constexpr int enough_halvings = 256;
-  const RoundingScope scope;
   std::vector<DyadicCurve> curves;
   for (const EdgeUse use : loop.uses) curves.push_back(edges.curve(use));
   const CurveNet<Integer> half = curves[0].exact(curves[0].halves(DyadicCurve::whole).first);

@@ -108,35 +108,42 @@ class MeshEdges {
   /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is
   /// positive.
   CurveNet<Integer> exact(EdgeUse use) const;
-  /// Contains the true control points, up to the factor of W. Needs a RoundingScope.
-  CurveNet<Interval> interval(EdgeUse use) const;
-  /// Both. Needs a RoundingScope.
+  /// Contains the true control points, up to the factor of W.
+  CurveNet<Interval> interval(const RoundUp&, EdgeUse use) const;
+  /// Both.
   DyadicCurve curve(EdgeUse use) const {
-    return DyadicCurve(interval(use), [this, use] { return exact(use); });
+    return DyadicCurve(interval(RoundUp(), use), [this, use] { return exact(use); });
   }
-  /// Contains the edge. Needs a RoundingScope.
-  Box box(EdgeUse use) const;
+  /// Contains the edge.
+  Box box(const RoundUp&, EdgeUse use) const;
 
   /// The tangent at an end, away from it along the edge, times a positive number; not zero where the element
-  /// is regular. `interval_tangent` needs a RoundingScope.
-  Vector2<Interval> interval_tangent(EdgeUse use, End end) const;
+  /// is regular.
+  Vector2<Interval> interval_tangent(const RoundUp&, EdgeUse use, End end) const;
   Vector2<Integer> exact_tangent(EdgeUse use, End end) const;
 
-  /// The sign of a coordinate (0: x, 1: y) of the tangent, if sums of doubles and a bound of their error tell
-  /// it (proof in mesh_edges.cpp). In any rounding mode.
-  std::optional<int> tangent_sign(EdgeUse use, End end, int coordinate) const;
+  /// A coordinate (0: x, 1: y) of the tangent in double, with its error; nothing where the numbers are no
+  /// doubles, or too small or too large. In any rounding mode.
+  std::optional<DoubleOperands<std::tuple<double>>> double_tangent(EdgeUse use, End end,
+                                                                   int coordinate) const;
 
   /// Whether all control points of the edge, or the nodes it interpolates, have one weight (or none).
   bool equal_weights(EdgeUse use) const { return equal_weights(nodes(use)); }
 
  private:
-  /// Positions of the nodes along each edge, in elements of one shape, and the coefficients of an end's
-  /// tangent in the nodes (empty if they are no doubles).
+  /// The coefficients of an end's tangent in the nodes (empty if they are no doubles or too large), and the
+  /// error of their sum, in units of the largest difference to the end.
+  struct TangentSum {
+    std::vector<double> coefficients;
+    double error = 0;
+  };
+  /// Positions of the nodes along each edge, in elements of one shape, and the tangents.
   struct ShapeEdges {
     Basis basis;
     std::array<std::vector<std::uint16_t>, 4> along;
-    std::array<std::vector<double>, 4> tangent;
+    std::array<TangentSum, 4> tangent;
   };
+  static TangentSum tangent_sum(Basis basis, std::size_t count);
 
   bool equal_weights(const EdgeNodes& nodes) const;
   std::size_t shape_of(std::size_t element) const { return shapes_.size() == 1 ? 0 : shape_[element]; }

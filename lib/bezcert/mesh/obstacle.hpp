@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bezcert/mesh/mesh_edges.hpp"
-#include "bezcert/number/outward.hpp"
+#include "bezcert/number/dyadic.hpp"
 
 #include <array>
 #include <cstdint>

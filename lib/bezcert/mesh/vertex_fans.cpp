@@ -84,36 +84,37 @@ class TurnCounter {
   }
 
  private:
+  int coordinate_sign(Tangent t, int coordinate) const {
+    const auto pick = [&](const auto& v) { return std::tuple(coordinate == 0 ? v.x : v.y); };
+    return filtered_sign(
+        Filter::on, [](const auto& value) { return value; },
+        [&] { return edges_.double_tangent(t.use, t.end, coordinate); },
+        [&](const RoundUp& up) { return pick(edges_.interval_tangent(up, t.use, t.end)); },
+        [&] { return pick(edges_.exact_tangent(t.use, t.end)); });
+  }
   Side side_of_x(Tangent tangent) const {
-    if (const auto y = edges_.tangent_sign(tangent.use, tangent.end, 1)) {
-      if (*y != 0) return side_of(*y, 0);
-      if (const auto x = edges_.tangent_sign(tangent.use, tangent.end, 0)) return side_of(0, *x);
-    }
-    const Vector2<Interval> t = edges_.interval_tangent(tangent.use, tangent.end);
-    if (const auto y = certain_sign(t.y)) {
-      if (*y != 0) return side_of(*y, 0);
-      if (const auto x = certain_sign(t.x)) return side_of(0, *x);
-    }
-    const Vector2<Integer> exact = edges_.exact_tangent(tangent.use, tangent.end);
-    return side_of(exact.y.sign(), exact.x.sign());
+    const int y = coordinate_sign(tangent, 1);
+    return side_of(y, y != 0 ? 0 : coordinate_sign(tangent, 0));
   }
 
   Side side_of_tangent(Tangent reference, Tangent tangent) const {
-    {
-      const Vector2<Interval> r = edges_.interval_tangent(reference.use, reference.end);
-      const Vector2<Interval> t = edges_.interval_tangent(tangent.use, tangent.end);
-      if (const auto turn = certain_sign(cross(r, t))) {
-        if (*turn != 0) return side_of(*turn, 0);
-        if (const auto forward = certain_sign(dot(r, t))) return side_of(0, *forward);
-      }
-    }
-    const Vector2<Integer> r = edges_.exact_tangent(reference.use, reference.end);
-    const Vector2<Integer> t = edges_.exact_tangent(tangent.use, tangent.end);
-    return side_of(cross(r, t).sign(), dot(r, t).sign());
+    const auto sign_of = [&](auto expression) {
+      return filtered_sign(
+          Filter::on, expression,
+          [&](const RoundUp& up) {
+            return std::tuple(edges_.interval_tangent(up, reference.use, reference.end),
+                              edges_.interval_tangent(up, tangent.use, tangent.end));
+          },
+          [&] {
+            return std::tuple(edges_.exact_tangent(reference.use, reference.end),
+                              edges_.exact_tangent(tangent.use, tangent.end));
+          });
+    };
+    const int turn = sign_of([](const auto& r, const auto& t) { return cross(r, t); });
+    return side_of(turn, turn != 0 ? 0 : sign_of([](const auto& r, const auto& t) { return dot(r, t); }));
   }
 
   const MeshEdges& edges_;
-  RoundingScope scope_;
 };
 
 MeshObstacle vertex_obstacle(const MeshEdges& edges, MeshVerdict kind, std::uint32_t vertex,
