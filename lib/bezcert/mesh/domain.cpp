@@ -187,6 +187,7 @@ DomainResult check_domain(const Mesh& mesh, std::span<const InputCurve> curves) 
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (auto failure = check.check(curves[i])) {
       failure->curve = i;
+      failure->curve_name = curves[i].name;
       result.failures.push_back(std::move(*failure));
     } else {
       ++result.covered;

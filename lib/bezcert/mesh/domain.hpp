@@ -16,6 +16,7 @@ namespace bezcert {
 /// Where the coverage of a curve stops.
 struct DomainFailure {
   std::size_t curve = 0;                ///< its place among the input curves
+  std::string curve_name;               ///< empty if it has none
   Rational parameter = 0;               ///< covered from 0 to there
   Point point;                          ///< the curve's point there
   std::vector<std::uint32_t> nodes;     ///< vertices at that point (empty if glued by points, or none)

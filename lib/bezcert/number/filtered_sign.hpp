@@ -12,6 +12,7 @@
 // stage runs in the rounding mode of the caller.
 #pragma once
 
+#include "bezcert/number/filter.hpp"
 #include "bezcert/number/interval.hpp"
 #include "bezcert/number/rational.hpp"
 
@@ -19,9 +20,6 @@
 #include <tuple>
 
 namespace bezcert {
-
-/// Whether to try intervals before exact integers. Answers do not depend on it (a test checks).
-enum class Filter { on, off };
 
 /// The sign of the number that `value` stands for, wrong by at most `error`, if it is certain.
 inline std::optional<int> certain_sign(double value, double error) {

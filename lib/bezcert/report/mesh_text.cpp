@@ -1,8 +1,8 @@
-#include "mesh_text.hpp"
+#include "bezcert/report/mesh_text.hpp"
 
 #include "bezcert/io/printable.hpp"
 
-namespace bezcert::certify {
+namespace bezcert {
 namespace {
 
 constexpr std::size_t longest_exact_text = 40;
@@ -49,21 +49,19 @@ std::vector<std::string> mesh_lines(const MeshResult& result) {
   return lines;
 }
 
-std::vector<std::string> domain_lines(const DomainSummary& domain) {
+std::vector<std::string> domain_lines(const std::string& file, const DomainResult& domain) {
   std::vector<std::string> lines;
-  const std::string file = "domain " + domain.file;
-  for (const DomainFailure& failure : domain.result.failures) {
-    const std::string& curve_name = domain.names[failure.curve];
-    std::string line = file + ": curve " + std::to_string(failure.curve + 1);
-    if (!curve_name.empty()) line += " \"" + printable(curve_name, 80) + "\"";
+  const std::string title = "domain " + file + ": ";
+  for (const DomainFailure& failure : domain.failures) {
+    std::string line = title + "curve " + std::to_string(failure.curve + 1);
+    if (!failure.curve_name.empty()) line += " \"" + printable(failure.curve_name, 80) + "\"";
     line += " is covered up to t = " + to_decimal(failure.parameter) + " only, at " + text_of(failure.point) +
             ": " + failure.message;
     lines.push_back(line);
   }
-  lines.push_back(file + ": " + (domain.result.conforming() ? "conforming, " : "not_conforming, ") +
-                  std::to_string(domain.result.covered) + " of " + count_text(domain.result.curves, "curve") +
-                  " covered");
+  lines.push_back(title + (domain.conforming() ? "conforming, " : "not_conforming, ") +
+                  std::to_string(domain.covered) + " of " + count_text(domain.curves, "curve") + " covered");
   return lines;
 }
 
-}  // namespace bezcert::certify
+}  // namespace bezcert

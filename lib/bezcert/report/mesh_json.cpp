@@ -1,6 +1,8 @@
-#include "mesh_json.hpp"
+#include "bezcert/report/mesh_json.hpp"
 
-namespace bezcert::certify {
+#include "bezcert/report/mesh_text.hpp"
+
+namespace bezcert {
 namespace {
 
 Json point_array(const Point& point) { return Json::array({to_string(point.x), to_string(point.y)}); }
@@ -66,17 +68,17 @@ Json mesh_object(const Mesh& mesh, const MeshResult& result) {
   return object;
 }
 
-Json domain_object(const Mesh& mesh, const DomainSummary& domain) {
+Json domain_object(const std::string& file, const Mesh& mesh, const DomainResult& domain) {
   Json object;
-  object["file"] = domain.file;
-  object["verdict"] = domain.result.conforming() ? "conforming" : "not_conforming";
-  object["curves"] = domain.result.curves;
-  object["covered"] = domain.result.covered;
+  object["file"] = file;
+  object["verdict"] = domain.conforming() ? "conforming" : "not_conforming";
+  object["curves"] = domain.curves;
+  object["covered"] = domain.covered;
   object["failures"] = Json::array();
-  for (const DomainFailure& failure : domain.result.failures) {
+  for (const DomainFailure& failure : domain.failures) {
     Json one;
     one["curve"] = failure.curve + 1;
-    if (!domain.names[failure.curve].empty()) one["name"] = domain.names[failure.curve];
+    if (!failure.curve_name.empty()) one["name"] = failure.curve_name;
     one["parameter"] = to_string(failure.parameter);
     one["point"] = point_array(failure.point);
     if (!failure.nodes.empty()) one["nodes"] = node_numbers(mesh, failure.nodes);
@@ -87,4 +89,4 @@ Json domain_object(const Mesh& mesh, const DomainSummary& domain) {
   return object;
 }
 
-}  // namespace bezcert::certify
+}  // namespace bezcert

@@ -1,6 +1,6 @@
 // No sound criterion ever contradicts the exact decision, and the decision agrees with det J sampled
 // exactly by another formula: 100,000 random elements of degrees 1 to 5.
-#include "cross_check.hpp"
+#include "bezcert/check/cross_check.hpp"
 #include "random_element.hpp"
 
 #include <catch2/catch.hpp>
@@ -49,17 +49,16 @@ Tally run(std::uint64_t seed, int count) {
   Tally tally;
   Budget budget;
   budget.pieces = 300;
-  std::vector<const Criterion*> all;
-  for (const Criterion& criterion : criteria()) all.push_back(&criterion);
+  const std::vector<const Criterion*> all = all_criteria();
   for (int i = 0; i < count; ++i) {
     const RawElement raw = random_element(random, {});
     const Element element = raw.build();
-    const certify::CheckedElement checked = certify::check_element(element, all, budget);
+    const CheckedElement checked = check_element(element, all, budget);
     const Decision& decision = checked.decision;
     ++tally.verdicts[std::string(name(decision.verdict))];
     if (element.rational()) ++tally.rational;
     if (!element.is_triangle()) ++tally.quadrilaterals;
-    for (const certify::CheckedCriterion& one : checked.criteria) {
+    for (const CheckedCriterion& one : checked.criteria) {
       ++tally.statuses[std::string(one.criterion->name) + " " + std::string(name(one.verdict.status))];
       if (one.is_finding()) ++tally.findings;
       if (one.is_defect()) {

@@ -1,10 +1,10 @@
-#include "cross_check.hpp"
+#include "bezcert/check/cross_check.hpp"
 
-#include "bezcert/mesh/mesh_decider.hpp"
+#include "bezcert/check/mesh_decider.hpp"
 
 #include <algorithm>
 
-namespace bezcert::certify {
+namespace bezcert {
 ElementState state_of(const Decision& decision) {
   if (certainly_invalid(decision)) return ElementState::invalid;
   return decision.verdict == ElementVerdict::injective ? ElementState::injective : ElementState::open;
@@ -61,9 +61,9 @@ CheckedElement check_element(const Element& element, std::span<const Criterion* 
   return result;
 }
 
-void check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
-                    std::span<const Criterion* const> chosen, const Budget& budget, Filter filter,
-                    const VisitChecked& visit) {
+void cross_check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
+                          std::span<const Criterion* const> chosen, const Budget& budget, Filter filter,
+                          const VisitChecked& visit) {
   CheckedElement checked;
   checked.criteria.resize(chosen.size());
   QuickNet net;
@@ -82,4 +82,4 @@ void check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
   });
 }
 
-}  // namespace bezcert::certify
+}  // namespace bezcert

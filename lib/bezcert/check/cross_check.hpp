@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace bezcert::certify {
+namespace bezcert {
 
 struct CheckedCriterion {
   const Criterion* criterion = nullptr;
@@ -42,11 +42,11 @@ using VisitChecked = std::function<void(std::size_t, const CheckedElement&)>;
 
 /// The same for elements begin ... end - 1 of a mesh, in this order, but verdicts of criteria need have no
 /// more than their status. Where that is quick, nothing is allocated for an element.
-void check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
-                    std::span<const Criterion* const> chosen, const Budget& budget, Filter filter,
-                    const VisitChecked& visit);
+void cross_check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
+                          std::span<const Criterion* const> chosen, const Budget& budget, Filter filter,
+                          const VisitChecked& visit);
 
 /// What the decision of the mesh takes from that of an element.
 ElementState state_of(const Decision& decision);
 
-}  // namespace bezcert::certify
+}  // namespace bezcert

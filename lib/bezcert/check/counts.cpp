@@ -1,10 +1,7 @@
-#include "report.hpp"
+#include "bezcert/check/counts.hpp"
 
-#include "bezcert/io/printable.hpp"
+namespace bezcert {
 
-#include <ostream>
-
-namespace bezcert::certify {
 void ElementCounts::clear(std::size_t criteria) {
   elements = findings = defects = 0;
   by_verdict.fill(0);
@@ -39,24 +36,4 @@ void ElementCounts::add(const ElementCounts& other) {
   }
 }
 
-void Report::write(const std::string& text) {
-  stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
-}
-
-std::string element_title(const std::string& input, const Mesh& mesh, std::size_t index) {
-  const MeshElement& entry = mesh.elements[index];
-  std::string text = input;
-  if (entry.line > 0) text += ":" + std::to_string(entry.line);
-  text += ": element " + std::to_string(entry.tag);
-  if (index < mesh.names.size() && !mesh.names[index].empty())
-    text += " \"" + printable(mesh.names[index], 80) + "\"";
-  const bool triangle = entry.shape.domain == Domain::triangle;
-  text += triangle ? " (triangle, degree " : " (quadrilateral, degree ";
-  text += std::to_string(entry.shape.p);
-  if (!triangle && entry.shape.p != entry.shape.q) text += "x" + std::to_string(entry.shape.q);
-  return text + ")";
-}
-
-std::string_view name(Numbers numbers) { return numbers == Numbers::binary64 ? "binary64" : "decimal"; }
-
-}  // namespace bezcert::certify
+}  // namespace bezcert

@@ -1,13 +1,15 @@
-// The JSON Lines report, schema "bezcert.report/1" (docs/report.md).
-#include "mesh_json.hpp"
-#include "report.hpp"
+#include "bezcert/report/jsonl_report.hpp"
+
+#include "bezcert/report/decision_text.hpp"
+#include "bezcert/report/mesh_json.hpp"
+#include "bezcert/version.hpp"
 
 #include <array>
 #include <charconv>
 #include <cstring>
 #include <ostream>
 
-namespace bezcert::certify {
+namespace bezcert {
 namespace {
 
 using namespace std::string_view_literals;  // lengths known to the compiler
@@ -99,18 +101,19 @@ class JsonLinesReport : public Report {
  public:
   using Report::Report;
 
-  void begin(const std::string& input, const std::string& sha256, const Mesh& mesh) override {
+ private:
+  void write_header(const Mesh& mesh) override {
     stream_ << line_of({{"schema", "bezcert.report/1"},
-                        {"tool", "bezcert " BEZCERT_VERSION},
-                        {"input", input},
-                        {"sha256", sha256},
+                        {"tool", "bezcert " + std::string(version)},
+                        {"input", source_.input},
+                        {"sha256", source_.sha256},
                         {"basis", mesh.basis_name},
                         {"numbers", name(mesh.numbers)}});
   }
 
   // Written directly: with a document for each element this took longer than the decision.
-  void element(const Mesh& mesh, std::size_t index, const CheckedElement& checked,
-               std::string& text) const override {
+  void append_element(const Mesh& mesh, std::size_t index, const CheckedElement& checked,
+                      std::string& text) const override {
     const MeshElement& entry = mesh.elements[index];
     const Decision& decision = checked.decision;
     const bool triangle = entry.shape.domain == Domain::triangle;
@@ -143,41 +146,44 @@ class JsonLinesReport : public Report {
     to << "},\"agreement\":\""sv << name(checked.agreement) << "\"}\n"sv;
   }
 
-  void end(const Mesh& mesh, const Summary& summary) override {
+  void write_summary(const Mesh& mesh, const MeshReport& report) override {
+    const ElementCounts& counts = report.elements.counts;
     Json object;
-    object["elements"] = summary.elements;
+    object["elements"] = counts.elements;
     for (const ElementVerdict verdict : element_verdicts) {
-      object["verdicts"][std::string(name(verdict))] = summary.count(verdict);
+      object["verdicts"][std::string(name(verdict))] = counts.count(verdict);
     }
-    object["contradictions"] = summary.findings + summary.defects;
-    object["findings"] = summary.findings;
-    object["sound_contradictions"] = summary.defects;
+    object["contradictions"] = counts.findings + counts.defects;
+    object["findings"] = counts.findings;
+    object["sound_contradictions"] = counts.defects;
     Json criteria = Json::object();
-    for (std::size_t i = 0; i < summary.criteria.size(); ++i) {
-      Json one;
-      for (const Status status :
-           {Status::proved, Status::refuted, Status::inconclusive, Status::not_applicable}) {
-        one[std::string(name(status))] = summary.by_criterion[i].by_status[static_cast<std::size_t>(status)];
-      }
-      one["strength_gaps"] = summary.by_criterion[i].strength_gaps;
-      one["contradictions"] = summary.by_criterion[i].contradictions;
-      one["standing"] = name(summary.criteria[i]->standing);
-      criteria[std::string(summary.criteria[i]->name)] = one;
+    for (std::size_t i = 0; i < counts.by_criterion.size(); ++i) {
+      const Criterion& criterion = *report.elements.criteria[i];
+      criteria[std::string(criterion.name)] = criterion_object(criterion, counts.by_criterion[i]);
     }
     object["criteria"] = criteria;
-    object["mesh"] = mesh_object(mesh, summary.mesh);
-    if (summary.domain) object["domain"] = domain_object(mesh, *summary.domain);
+    object["mesh"] = mesh_object(mesh, report.mesh);
+    if (report.domain) object["domain"] = domain_object(source_.curves, mesh, *report.domain);
     object["ignored"] = {
         {"points", mesh.ignored.points}, {"lines", mesh.ignored.lines}, {"volumes", mesh.ignored.volumes}};
-    object["seconds"] = summary.seconds;
+    object["seconds"] = seconds();
     stream_ << line_of({{"summary", object}});
+  }
+
+  static Json criterion_object(const Criterion& criterion, const CriterionCounts& counts) {
+    Json object;
+    for (const Status status : statuses) object[std::string(name(status))] = counts.count(status);
+    object["strength_gaps"] = counts.strength_gaps;
+    object["contradictions"] = counts.contradictions;
+    object["standing"] = name(criterion.standing);
+    return object;
   }
 };
 
 }  // namespace
 
-std::unique_ptr<Report> make_jsonl_report(std::ostream& stream) {
-  return std::make_unique<JsonLinesReport>(stream);
+std::unique_ptr<Report> make_jsonl_report(std::ostream& stream, ReportSource source) {
+  return std::make_unique<JsonLinesReport>(stream, std::move(source));
 }
 
-}  // namespace bezcert::certify
+}  // namespace bezcert

@@ -1,4 +1,4 @@
-#include "bezcert/mesh/mesh_decider.hpp"
+#include "bezcert/check/mesh_decider.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,14 @@
 // The mesh as a whole in the JSON Lines report (docs/report.md).
 #pragma once
 
-#include "report.hpp"
+#include "bezcert/mesh/domain.hpp"
+#include "bezcert/mesh/embedding.hpp"
 
 #include <nlohmann/json.hpp>
 
-namespace bezcert::certify {
+#include <string>
+
+namespace bezcert {
 
 using Json = nlohmann::ordered_json;
 
@@ -13,6 +16,6 @@ using Json = nlohmann::ordered_json;
 Json mesh_object(const Mesh& mesh, const MeshResult& result);
 
 /// {file, verdict, curves, covered, failures}.
-Json domain_object(const Mesh& mesh, const DomainSummary& domain);
+Json domain_object(const std::string& file, const Mesh& mesh, const DomainResult& domain);
 
-}  // namespace bezcert::certify
+}  // namespace bezcert

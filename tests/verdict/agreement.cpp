@@ -1,10 +1,9 @@
 // What agreement means: every pair of criterion status and exact verdict, written out by hand.
-#include "cross_check.hpp"
+#include "bezcert/verdict/criterion_verdict.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace bezcert;
-using namespace bezcert::certify;
 
 namespace {
 
