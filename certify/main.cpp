@@ -1,5 +1,4 @@
 // The command line: one subcommand is chosen and run; what goes wrong becomes one line and an exit code.
-#include "bezcert/algebra/flint_functions.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/version.hpp"
 #include "exit_code.hpp"
@@ -68,9 +67,6 @@ int main(int argc, char** argv) {
   } catch (const bezcert::InputError& error) {
     std::cout.flush();
     std::cerr << error.what() << '\n';
-  } catch (const bezcert::FlintMissing& error) {
-    std::cout.flush();
-    std::cerr << "certify: " << error.what() << '\n';
   }
   return exit_input_error;
 }

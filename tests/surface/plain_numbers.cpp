@@ -79,7 +79,9 @@ void attack_tangents(std::uint64_t seed, int elements) {
       for (const End end : {End::begin, End::end}) {
         const Vector2<Integer> exact = edges.exact_tangent(h, end);
         for (const int coordinate : {0, 1}) {
-          const std::optional<int> sign = edges.tangent_sign(h, end, coordinate);
+          const auto found = edges.double_tangent(h, end, coordinate);
+          const std::optional<int> sign =
+              found ? certain_sign(std::get<0>(found->operands), found->error) : std::nullopt;
           if (sign) REQUIRE(*sign == (coordinate == 0 ? exact.x : exact.y).sign());
           ++(sign ? known[*sign] : unknown);
         }

@@ -46,9 +46,9 @@ Rational angle_of(const Vector2<Rational>& v) {
 }
 
 Box box_of_edges(const HalfEdges& edges, std::uint32_t element) {
-  const RoundingScope scope;
-  Box box = edges.box(edges.first(element));
-  for (HalfEdge h = edges.first(element) + 1; h < edges.first(element + 1); ++h) box.add(edges.box(h));
+  const RoundUp up;
+  Box box = edges.box(up, edges.first(element));
+  for (HalfEdge h = edges.first(element) + 1; h < edges.first(element + 1); ++h) box.add(edges.box(up, h));
   return box;
 }
 
@@ -87,10 +87,7 @@ bool Coverage::covers(std::uint32_t element, const Point& point) const {
   if (claims_[element] != ElementState::injective) return false;
   const HalfEdge first = edges_.first(element), end = edges_.first(element + 1);
   std::vector<DyadicCurve> boundary;
-  {
-    const RoundingScope scope;
-    for (HalfEdge h = first; h < end; ++h) boundary.push_back(edges_.curve(h));
-  }
+  for (HalfEdge h = first; h < end; ++h) boundary.push_back(edges_.curve(h));
   if (winding_number(boundary, point, deepest) != 1) return false;
   for (DyadicCurve& curve : boundary) {
     if (!is_off(curve.exact(DyadicCurve::whole), point)) return false;

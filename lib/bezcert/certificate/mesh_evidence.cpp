@@ -29,9 +29,8 @@ class EmbeddingWriter {
     std::vector<Box> boxes;
     for (HalfEdge h = 0; h < surface_.count(); ++h) {
       if (!surface_.is_boundary(h)) continue;
-      const RoundingScope scope;
       boundary.push_back(h);
-      boxes.push_back(surface_.box(h));
+      boxes.push_back(surface_.box(RoundUp(), h));
     }
     bool complete = true;
     for_overlapping_boxes(boxes, [&](std::size_t i, std::size_t j) {
@@ -54,7 +53,6 @@ class EmbeddingWriter {
 
   // Curves met lately: an edge has several neighbours.
   DyadicCurve& curve(HalfEdge h) {
-    const RoundingScope scope;
     const auto found = curves_.find(h);
     if (found != curves_.end()) return found->second;
     return curves_.try_emplace(h, surface_.curve(h)).first->second;

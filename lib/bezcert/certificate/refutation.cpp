@@ -116,11 +116,10 @@ class Refuter {
     if (equal && same_curve(first.net, second.net)) return std::nullopt;
     if (auto found = meet_at_ends(first, second, common)) return "touch " + *found;
     // find_contact knows of joints of an end and a beginning.
-    RoundingScope scope;
-    DyadicCurve curve_a(surface_.interval(a), first.net);
-    const CurveNet<Interval> interval_b = surface_.interval(b);
-    DyadicCurve curve_b = same_way ? DyadicCurve(reversed(interval_b), reversed(second.net))
-                                   : DyadicCurve(interval_b, second.net);
+    const auto interval = [&](HalfEdge h) { return surface_.interval(RoundUp(), h); };
+    DyadicCurve curve_a(interval(a), first.net);
+    DyadicCurve curve_b = same_way ? DyadicCurve(reversed(interval(b)), reversed(second.net))
+                                   : DyadicCurve(interval(b), second.net);
     const int b_begin = same_way ? 1 : 0;
     const Joints joints{common.ends[1][b_begin], common.ends[0][1 - b_begin]};
     const ContactResult result = find_contact(curve_a, curve_b, joints);

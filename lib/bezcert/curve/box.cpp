@@ -5,7 +5,7 @@
 
 namespace bezcert {
 
-Box box_of(const CurveNet<Interval>& net) {
+Box box_of(const RoundUp&, const CurveNet<Interval>& net) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Box box{infinite, -infinite, infinite, -infinite};
   for (std::size_t i = 0; i < net.size(); ++i) {

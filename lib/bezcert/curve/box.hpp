@@ -26,8 +26,8 @@ struct Box {
   }
 };
 
-/// Contains the curve: the plane, if a number overflows. Needs a RoundingScope.
-Box box_of(const CurveNet<Interval>& net);
+/// Contains the curve: the plane, if a number overflows.
+Box box_of(const RoundUp&, const CurveNet<Interval>& net);
 
 /// Calls visit(i, j), i < j, for every pair of boxes that overlap or touch, in an order that depends on the
 /// boxes only; stops when it returns false.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bezcert/curve/curve_net.hpp"
-#include "bezcert/number/outward.hpp"
+#include "bezcert/number/dyadic.hpp"
 
 namespace bezcert {
 

@@ -56,22 +56,18 @@ struct Ray {
   HomogeneousPoint<Integer> exact;
 };
 
-// predicate(point, net) on intervals, or exactly.
+// The exact answer of predicate(point, net).
 template <class Predicate>
-auto filtered_at(DyadicCurve& curve, DyadicCurve::Piece piece, const Ray& ray, Predicate predicate) {
-  if (curve.has_interval()) {
-    try {
-      return predicate(ray.interval, curve.interval(piece));
-    } catch (const UncertainSign&) {
-    }
-  }
-  return predicate(ray.exact, curve.exact(piece));
+auto filtered(DyadicCurve& curve, DyadicCurve::Piece piece, const Ray& ray, Predicate predicate) {
+  return bezcert::filtered(
+      curve.filter(), predicate,
+      [&](const RoundUp& up) { return std::tie(ray.interval, curve.interval(up, piece)); },
+      [&] { return std::tie(ray.exact, curve.exact(piece)); });
 }
 
 }  // namespace
 
 std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int depth) {
-  const RoundingScope scope;
   const Integer w = lcm(Integer(denominator(point.x)), Integer(denominator(point.y)));
   const auto scaled = [&](const Rational& c) {
     return Integer(Integer(numerator(c)) * (w / denominator(c)));
@@ -83,11 +79,10 @@ std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int dep
   while (!pieces.empty()) {
     const DyadicCurve::Piece piece = pieces.back();
     pieces.pop_back();
-    if (filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return misses_ray(p, net); }))
+    if (filtered(curve, piece, ray, [](const auto& p, const auto& net) { return misses_ray(p, net); }))
       continue;
-    if (filtered_at(curve, piece, ray,
-                    [](const auto& p, const auto& net) { return is_outside_hull(p, net); })) {
-      sum += filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return crossing(p, net); });
+    if (filtered(curve, piece, ray, [](const auto& p, const auto& net) { return is_outside_hull(p, net); })) {
+      sum += filtered(curve, piece, ray, [](const auto& p, const auto& net) { return crossing(p, net); });
       continue;
     }
     if (curve.depth(piece) >= depth) return std::nullopt;

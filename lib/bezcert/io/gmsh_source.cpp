@@ -94,6 +94,7 @@ bool PlainLine::number(double& value) {
     if (at_separator()) return true;
     --at_;
   }
+  if (!rounds_to_nearest()) return false;
   const auto [end, error] = std::from_chars(at_, end_, value);
   at_ = end;
   return error == std::errc() && std::isfinite(value) && at_separator();
@@ -127,7 +128,6 @@ bool GmshSource::read_plainly(std::size_t count, Executor* executor,
     if (line_ + count > line_starts_->ends()) return false;
     std::atomic<bool> all = true;
     run_ranges(executor, count, part, [&](std::size_t first, std::size_t last) {
-      const NearestRounding nearest;  // of this thread
       if (read_lines(line_starts_->start(line_ + first), first, last) == nullptr) all = false;
     });
     if (!all) return false;

@@ -104,8 +104,7 @@ class GmshSource {
 };
 
 /// The numbers of lines that are written plainly: separated by blanks, integers as 1 to 18 digits. What it
-/// refuses may be right all the same: GmshSource::read_tokens tells. Precondition for `number`: the thread
-/// rounds to nearest.
+/// refuses may be right all the same: GmshSource::read_tokens tells.
 class PlainLine {
  public:
   PlainLine(const char* begin, const char* end) : at_(begin), end_(end) {}

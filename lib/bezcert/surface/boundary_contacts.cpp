@@ -38,11 +38,11 @@ bool for_near_edges(const Surface& surface, const std::optional<std::uint32_t>& 
   std::vector<HalfEdge> half_edges;
   std::vector<Box> boxes;
   {
-    const RoundingScope scope;
+    const RoundUp up;
     for (HalfEdge h = 0; h < surface.count(); ++h) {
       if (!surface.is_boundary(h) || surface.is_faulty(h)) continue;
       half_edges.push_back(h);
-      boxes.push_back(surface.box(h));
+      boxes.push_back(surface.box(up, h));
     }
   }
   std::size_t overlaps = 0;
@@ -100,7 +100,6 @@ class BoundaryCheck {
         it = it->first == last_ ? std::next(it) : curves_.erase(it);
     }
     last_ = h;
-    const RoundingScope scope;
     return curves_.try_emplace(h, surface_.curve(h)).first->second;
   }
 

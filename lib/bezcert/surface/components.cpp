@@ -58,9 +58,9 @@ class ComponentCheck {
   }
 
   Box loop_box(const BoundaryLoop& loop) {
-    const RoundingScope scope;
+    const RoundUp up;
     std::vector<Box>& each = edge_boxes_.emplace_back();
-    for (const HalfEdge h : loop.edges) each.push_back(surface_.box(h));
+    for (const HalfEdge h : loop.edges) each.push_back(surface_.box(up, h));
     Box box = each[0];
     for (const Box& other : each) box.add(other);
     return box;
@@ -83,7 +83,6 @@ class ComponentCheck {
         const Box& box = edge_boxes_[loop][i];
         if (box.y_low > y.sup() || box.y_high < y.inf() || box.x_high < x.inf()) continue;
         const HalfEdge h = loops_[loop].edges[i];
-        const RoundingScope scope;
         DyadicCurve curve = surface_.curve(h);
         const std::optional<int> share = winding_share(curve, point);
         if (!share) {

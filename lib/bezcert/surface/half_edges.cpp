@@ -2,6 +2,7 @@
 
 #include "bezcert/curve/separation.hpp"
 #include "bezcert/element/lagrange.hpp"
+#include "bezcert/number/static_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,19 +46,33 @@ std::vector<Interval> relative(const ExactVector& numbers, const EdgeNodes& node
   return result;
 }
 
-// The coefficients of the tangent at the beginning of an edge of so many nodes, times a positive number, as
-// doubles.
-std::vector<double> tangent_coefficients(Basis basis, std::size_t count) {
-  if (basis == Basis::bernstein) return {-1, 1};
-  std::vector<double> result(count, 0);
-  for (const auto& entry : segment_change(count).rows[1]) {
-    if (entry.interval.inf() != entry.interval.sup()) return {};
-    result[entry.column] = entry.interval.inf();
-  }
-  return result;
+// The sum of c_j (x_j - x_0), j > 0, from the differences: in double, or its error.
+template <class T, class Difference>
+T sum_of(const std::vector<double>& c, Difference difference) {
+  T sum = difference(std::size_t{1}) * c[1];
+  for (std::size_t j = 2; j < c.size(); ++j) sum = sum + difference(j) * c[j];
+  return sum;
 }
 
 }  // namespace
+
+// The tangent at the beginning of an edge of so many nodes, times a positive number.
+HalfEdges::TangentSum HalfEdges::tangent_sum(Basis basis, std::size_t count) {
+  TangentSum result;
+  if (basis == Basis::bernstein) {
+    result.coefficients = {-1, 1};
+  } else {
+    result.coefficients.assign(count, 0);
+    for (const auto& entry : segment_change(count).rows[1]) {
+      if (entry.interval.inf() != entry.interval.sup()) return {};
+      result.coefficients[entry.column] = entry.interval.inf();
+    }
+  }
+  const auto bound = sum_of<StaticBound>(result.coefficients, [](std::size_t) { return unit_difference(); });
+  if (!(bound.magnitude < 0x1p100)) return {};
+  result.error = error_of(bound);
+  return result;
+}
 
 HalfEdges::HalfEdges(const Mesh& mesh) : mesh_(mesh) {
   shape_.reserve(mesh.elements.size());
@@ -84,7 +99,7 @@ HalfEdges::HalfEdges(const Mesh& mesh) : mesh_(mesh) {
       const auto at = static_cast<std::size_t>(edge);
       const std::vector<std::size_t> positions = edge_positions(element.shape, edge);
       tables.along[at].assign(positions.begin(), positions.end());
-      tables.tangent[at] = tangent_coefficients(element.basis, positions.size());
+      tables.tangent[at] = tangent_sum(element.basis, positions.size());
     }
   }
   if (shapes_.size() == 1) {
@@ -154,7 +169,7 @@ CurveNet<Integer> HalfEdges::exact(HalfEdge h) const {
   return net;
 }
 
-CurveNet<Interval> HalfEdges::interval(HalfEdge h) const {
+CurveNet<Interval> HalfEdges::interval(const RoundUp&, HalfEdge h) const {
   const EdgeNodes along = nodes(h);
   const std::size_t count = along.size();
   const bool polynomial = equal_weights(along);
@@ -166,22 +181,22 @@ CurveNet<Interval> HalfEdges::interval(HalfEdge h) const {
     change_basis(change, net.x);
     change_basis(change, net.y);
     const Interval unit = to_interval(change.denominator);
-    const Interval x = mesh_.x.interval(along[0]), y = mesh_.y.interval(along[0]);
+    const Interval x = interval_at(mesh_.x, along[0]), y = interval_at(mesh_.y, along[0]);
     for (Interval& value : net.x) value = x + value / unit;
     for (Interval& value : net.y) value = y + value / unit;
     net.w.assign(count, Interval(1));
     // The end points are nodes: exact.
     net.x.front() = x;
     net.y.front() = y;
-    net.x.back() = mesh_.x.interval(along.back());
-    net.y.back() = mesh_.y.interval(along.back());
+    net.x.back() = interval_at(mesh_.x, along.back());
+    net.y.back() = interval_at(mesh_.y, along.back());
     return net;
   }
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t node = along[i];
-    const Interval w = polynomial ? Interval(1) : mesh_.weights.interval(node);
-    net.x.push_back(mesh_.x.interval(node) * w);
-    net.y.push_back(mesh_.y.interval(node) * w);
+    const Interval w = polynomial ? Interval(1) : interval_at(mesh_.weights, node);
+    net.x.push_back(interval_at(mesh_.x, node) * w);
+    net.y.push_back(interval_at(mesh_.y, node) * w);
     net.w.push_back(w);
   }
   if (basis(h) == Basis::lagrange) {
@@ -190,7 +205,7 @@ CurveNet<Interval> HalfEdges::interval(HalfEdge h) const {
   return net;
 }
 
-Vector2<Interval> HalfEdges::interval_tangent(HalfEdge h, End end) const {
+Vector2<Interval> HalfEdges::interval_tangent(const RoundUp& up, HalfEdge h, End end) const {
   const EdgeNodes along = end == End::begin ? nodes(h) : nodes(h).reversed();
   const auto to = [&](std::size_t i) {
     return Vector2<Interval>{difference(mesh_.x, along[i], along[0]),
@@ -207,39 +222,30 @@ Vector2<Interval> HalfEdges::interval_tangent(HalfEdge h, End end) const {
     }
     return result;
   }
-  const CurveNet<Interval> net = interval(h);
+  const CurveNet<Interval> net = interval(up, h);
   const std::size_t last = net.size() - 1;
   return end == End::begin ? between(net, 0, net, 1) : between(net, last, net, last - 1);
 }
 
-// The tangent's coordinate is S = sum of c_j (x_j - x_0) over m nodes, c_j integers. With v = 2^-52, the
-// error of one operation in any rounding mode: each term is rounded twice (a product of a multiple of 2^-1074
-// with an integer does not underflow) and takes part in at most m - 1 additions, so |s - S| <= ((1 + v)^(m+1)
-// - 1) A with A = sum |c_j (x_j - x_0)|, and A <= a (1 - v)^-(m+1) for the sum a of the computed terms'
-// sizes. For m <= 65 both factors together are below (m + 2) v; the test takes twice that, which covers its
-// own rounding. a = 0 if all differences are 0, exactly. After an overflow a is infinite or s no number:
-// nothing is said.
-std::optional<int> HalfEdges::tangent_sign(HalfEdge h, End end, int coordinate) const {
+// The unit is the largest difference. Where it is 0, all are, exactly.
+std::optional<DoubleOperands<std::tuple<double>>> HalfEdges::double_tangent(HalfEdge h, End end,
+                                                                            int coordinate) const {
   const ExactVector& numbers = coordinate == 0 ? mesh_.x : mesh_.y;
   if (!numbers.binary64()) return std::nullopt;
-  const std::vector<double>& c = shapes_[shape_of(element(h))].tangent[static_cast<std::size_t>(edge(h))];
-  if (c.empty()) return std::nullopt;
+  const TangentSum& tangent = shapes_[shape_of(element(h))].tangent[static_cast<std::size_t>(edge(h))];
+  if (tangent.coefficients.empty()) return std::nullopt;
   const EdgeNodes along = end == End::begin ? nodes(h) : nodes(h).reversed();
   if (!mesh_.weights.empty() && basis(h) == Basis::lagrange && !equal_weights(along)) return std::nullopt;
   const double* x = numbers.doubles().data();
   const double origin = x[along[0]];
-  double sum = 0, size = 0;
-  for (std::size_t j = 1; j < c.size(); ++j) {
-    const double term = c[j] * (x[along[j]] - origin);
-    sum += term;
-    size += std::abs(term);
-  }
-  if (size == 0) return 0;
-  constexpr double v = 0x1p-52;
-  const double bound = 2 * static_cast<double>(c.size() + 2) * v * size;
-  if (sum > bound) return 1;
-  if (sum < -bound) return -1;
-  return std::nullopt;
+  double unit = 0;
+  const double sum = sum_of<double>(tangent.coefficients, [&](std::size_t j) {
+    const double difference = x[along[j]] - origin;
+    unit = std::max(unit, std::abs(difference));
+    return difference;
+  });
+  if (!(unit == 0 || (unit > least_unit && unit < 0x1p900))) return std::nullopt;
+  return DoubleOperands{std::tuple(sum), tangent.error * unit};
 }
 
 Vector2<Integer> HalfEdges::exact_tangent(HalfEdge h, End end) const {

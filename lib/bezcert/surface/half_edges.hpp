@@ -73,7 +73,9 @@ class HalfEdges {
   std::size_t count() const { return count_; }
   std::size_t element_count() const { return mesh_.elements.size(); }
 
-  std::uint32_t element(HalfEdge h) const { return sides_ == 3 ? h / 3 : sides_ == 4 ? h / 4 : element_[h]; }
+  std::uint32_t element(HalfEdge h) const {
+    return sides_ == 3 ? h / 3 : sides_ == 4 ? h / 4 : element_[h];
+  }
   /// Edge number within the element.
   int edge(HalfEdge h) const { return static_cast<int>(h - first(element(h))); }
   HalfEdge first(std::size_t element) const {
@@ -106,42 +108,49 @@ class HalfEdges {
   /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is
   /// positive.
   CurveNet<Integer> exact(HalfEdge h) const;
-  /// Contains the true control points, up to the factor of W. Needs a RoundingScope.
-  CurveNet<Interval> interval(HalfEdge h) const;
-  /// Both. Needs a RoundingScope.
+  /// Contains the true control points, up to the factor of W.
+  CurveNet<Interval> interval(const RoundUp&, HalfEdge h) const;
+  /// Both.
   DyadicCurve curve(HalfEdge h) const {
-    return DyadicCurve(interval(h), [this, h] { return exact(h); });
+    return DyadicCurve(interval(RoundUp(), h), [this, h] { return exact(h); });
   }
-  /// Contains the edge. Needs a RoundingScope.
-  Box box(HalfEdge h) const { return box_of(interval(h)); }
+  /// Contains the edge.
+  Box box(const RoundUp& up, HalfEdge h) const { return box_of(up, interval(up, h)); }
 
   /// The tangent at an end, away from it along the edge, times a positive number; not zero where the element
-  /// is regular. `interval_tangent` needs a RoundingScope.
-  Vector2<Interval> interval_tangent(HalfEdge h, End end) const;
+  /// is regular.
+  Vector2<Interval> interval_tangent(const RoundUp&, HalfEdge h, End end) const;
   Vector2<Integer> exact_tangent(HalfEdge h, End end) const;
 
-  /// The sign of a coordinate (0: x, 1: y) of the tangent, if sums of doubles and a bound of their error tell
-  /// it (proof in half_edges.cpp). In any rounding mode.
-  std::optional<int> tangent_sign(HalfEdge h, End end, int coordinate) const;
+  /// A coordinate (0: x, 1: y) of the tangent in double, with its error; nothing where the numbers are no
+  /// doubles, or too small or too large. In any rounding mode.
+  std::optional<DoubleOperands<std::tuple<double>>> double_tangent(HalfEdge h, End end,
+                                                                   int coordinate) const;
 
   /// Whether all control points of the edge, or the nodes it interpolates, have one weight (or none).
   bool equal_weights(HalfEdge h) const { return equal_weights(nodes(h)); }
 
  private:
-  /// Positions of the nodes along each edge, in elements of one shape, and the coefficients of an end's
-  /// tangent in the nodes (empty if they are no doubles).
+  /// The coefficients of an end's tangent in the nodes (empty if they are no doubles or too large), and the
+  /// error of their sum, in units of the largest difference to the end.
+  struct TangentSum {
+    std::vector<double> coefficients;
+    double error = 0;
+  };
+  /// Positions of the nodes along each edge, in elements of one shape, and the tangents.
   struct ShapeEdges {
     Basis basis;
     std::array<std::vector<std::uint16_t>, 4> along;
-    std::array<std::vector<double>, 4> tangent;
+    std::array<TangentSum, 4> tangent;
   };
+  static TangentSum tangent_sum(Basis basis, std::size_t count);
 
   bool equal_weights(const EdgeNodes& nodes) const;
   std::size_t shape_of(std::size_t element) const { return shapes_.size() == 1 ? 0 : shape_[element]; }
 
   const Mesh& mesh_;
   std::size_t count_ = 0;
-  std::size_t sides_ = 0;        // of every element, if all have as many; else 0, and then
+  std::size_t sides_ = 0;       // of every element, if all have as many; else 0, and then
   std::vector<HalfEdge> first_;  // of each element, and the end
   std::vector<std::uint32_t> element_;
   std::vector<ShapeEdges> shapes_;

@@ -53,10 +53,7 @@ LoopArea loop_area(const HalfEdges& edges, const BoundaryLoop& loop) {
   }
   if (sum.lower.sign() * sum.upper.sign() > 0) return {sum, sum.lower.sign()};
   std::vector<DyadicCurve> chain;
-  {
-    const RoundingScope scope;
-    for (const HalfEdge h : loop.edges) chain.push_back(edges.curve(h));
-  }
+  for (const HalfEdge h : loop.edges) chain.push_back(edges.curve(h));
   const int side = orientation(chain);
   if (side > 0) sum.lower = 0;
   if (side < 0) sum.upper = 0;

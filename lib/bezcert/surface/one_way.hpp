@@ -6,14 +6,10 @@
 // equality on both sides for s = 1, t = 0 alone. (The hodographs lie in an open half-plane.) Most pairs of
 // neighbours on a boundary are such.
 //
-// Asked in doubles, for d from the first point to the last, rounded: any d will do. With e_k = d (x_k - x_0)
-// for the nodes (or control points) x_k, d (P_i+1 - P_i) is a sum S of c_k e_k, c_k integers below 2^40, with
-// m <= 64 terms. Let v = 2^-52, the error of one operation in any rounding mode, and a the largest sum
-// |d_x| |x_k - x_0| + |d_y| |y_k - y_0|. Then e_k is wrong by at most ((1 + v)^3 - 1) a, a product with c_k
-// adds one rounding and the sum m - 1: |s - S| <= ((1 + v)^(m+3) - 1) C a with C = sum |c_k|, and computing
-// C a is wrong by as little. Together that is below (m + 4) v C a; the test takes twice that. All numbers are
-// kept below 2^900 in size, so that nothing overflows, and a above 2^-800, so that what underflows (below
-// 2^-1000 in all) is far inside the slack.
+// Asked in doubles, for d from the first point to the last, rounded: any d will do. d (P_i+1 - P_i) is a sum
+// of products of d with nodes relative to the first, with integer coefficients; its error is found by running
+// the same sum over StaticBound. Units are kept between 2^-420 and 2^850, so that bounds hold and nothing
+// overflows.
 #pragma once
 
 #include "bezcert/surface/half_edges.hpp"

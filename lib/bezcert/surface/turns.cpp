@@ -57,36 +57,37 @@ class TurnCounter {
   }
 
  private:
+  int coordinate_sign(Tangent t, int coordinate) const {
+    const auto pick = [&](const auto& v) { return std::tuple(coordinate == 0 ? v.x : v.y); };
+    return filtered_sign(
+        Filter::on, [](const auto& value) { return value; },
+        [&] { return surface_.double_tangent(t.h, t.end, coordinate); },
+        [&](const RoundUp& up) { return pick(surface_.interval_tangent(up, t.h, t.end)); },
+        [&] { return pick(surface_.exact_tangent(t.h, t.end)); });
+  }
   Side side_of_x(Tangent tangent) const {
-    if (const auto y = surface_.tangent_sign(tangent.h, tangent.end, 1)) {
-      if (*y != 0) return side_of(*y, 0);
-      if (const auto x = surface_.tangent_sign(tangent.h, tangent.end, 0)) return side_of(0, *x);
-    }
-    const Vector2<Interval> t = surface_.interval_tangent(tangent.h, tangent.end);
-    if (const auto y = certain_sign(t.y)) {
-      if (*y != 0) return side_of(*y, 0);
-      if (const auto x = certain_sign(t.x)) return side_of(0, *x);
-    }
-    const Vector2<Integer> exact = surface_.exact_tangent(tangent.h, tangent.end);
-    return side_of(exact.y.sign(), exact.x.sign());
+    const int y = coordinate_sign(tangent, 1);
+    return side_of(y, y != 0 ? 0 : coordinate_sign(tangent, 0));
   }
 
   Side side_of_tangent(Tangent reference, Tangent tangent) const {
-    {
-      const Vector2<Interval> r = surface_.interval_tangent(reference.h, reference.end);
-      const Vector2<Interval> t = surface_.interval_tangent(tangent.h, tangent.end);
-      if (const auto turn = certain_sign(cross(r, t))) {
-        if (*turn != 0) return side_of(*turn, 0);
-        if (const auto forward = certain_sign(dot(r, t))) return side_of(0, *forward);
-      }
-    }
-    const Vector2<Integer> r = surface_.exact_tangent(reference.h, reference.end);
-    const Vector2<Integer> t = surface_.exact_tangent(tangent.h, tangent.end);
-    return side_of(cross(r, t).sign(), dot(r, t).sign());
+    const auto sign_of = [&](auto expression) {
+      return filtered_sign(
+          Filter::on, expression,
+          [&](const RoundUp& up) {
+            return std::tuple(surface_.interval_tangent(up, reference.h, reference.end),
+                              surface_.interval_tangent(up, tangent.h, tangent.end));
+          },
+          [&] {
+            return std::tuple(surface_.exact_tangent(reference.h, reference.end),
+                              surface_.exact_tangent(tangent.h, tangent.end));
+          });
+    };
+    const int turn = sign_of([](const auto& r, const auto& t) { return cross(r, t); });
+    return side_of(turn, turn != 0 ? 0 : sign_of([](const auto& r, const auto& t) { return dot(r, t); }));
   }
 
   const Surface& surface_;
-  RoundingScope scope_;
 };
 
 MeshObstacle folded(const Surface& surface, Cause cause, std::uint32_t vertex) {

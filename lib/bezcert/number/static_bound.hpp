@@ -1,10 +1,11 @@
 // Forward error bounds for all inputs at once, found by running the computation itself.
 //
-// A kernel (kernel.hpp) is written once over its number type T. With T = Lanes it computes; with T =
-// StaticBound the same statements, in the same order, compute for every intermediate result a bound
+// A computation is written once over its number type T. With T = double (or eight of them) it computes; with
+// T = StaticBound the same statements, in the same order, compute for every intermediate result a bound
 //   |computed| <= magnitude  and  |computed - exact| <= error,
 // valid for all inputs within the magnitudes it is started with. So the bound of each degree is derived by
-// the program, and cannot disagree with the order of operations that the compiler sees.
+// the program, and cannot disagree with the order of operations that the compiler sees. This is the one way
+// in which an error bound is stated (filtered_sign.hpp).
 //
 // Rules. Let a, b be computed and A, B exact, |a| <= m, |a - A| <= e (b: n, f), and let one operation of
 // doubles err by at most eps |result| + tiny, with eps = 2^-52: true for round to nearest (2^-53) and for the
@@ -20,14 +21,14 @@
 //
 // Inputs are taken in units: the largest coordinate is 1. Results of degree k in the coordinates scale by the
 // k-th power, the relative terms with them. tiny does not: an operation that underflows errs by at most
-// 2^-1022, which in units is 2^-1022 / (unit of the result). The block (block_impl.hpp) admits only elements
-// for which every unit is at least 2^-280, hence 2^-1022 <= tiny units with tiny = 2^-600.
+// 2^-1022, which in units is 2^-1022 / (unit of the result), at most tiny = 2^-600 if that unit is at least
+// `least_unit`. Whoever uses a bound keeps to such units, and far enough from overflow.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
-namespace bezcert::batch {
+namespace bezcert {
 
 struct StaticBound {
   double magnitude = 0;
@@ -74,4 +75,19 @@ inline StaticBound absolute(const StaticBound& a) { return a; }
 /// The computed number taken as what is meant: later errors are counted from it.
 inline StaticBound as_exact(const StaticBound& a) { return {a.magnitude, 0}; }
 
-}  // namespace bezcert::batch
+/// A difference of two doubles, at most 1 in size as computed.
+inline StaticBound unit_difference() { return detail::rounded(1, 0); }
+
+/// The smallest unit of a result for which bounds hold.
+inline constexpr double least_unit = 0x1p-420;
+
+/// The bound's error, with slack for what is done with it: the product with the unit of the actual inputs (a
+/// few roundings), and the sum of a number and its bound (one rounding of at most eps (magnitude + error)
+/// units).
+inline double error_of(const StaticBound& bound) {
+  using namespace detail;
+  const double rounding = product_up(2 * eps, sum_up(bound.magnitude, bound.error));
+  return product_up(sum_up(bound.error, rounding), 1 + 0x1p-40);
+}
+
+}  // namespace bezcert
