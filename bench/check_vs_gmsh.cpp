@@ -10,7 +10,7 @@
 //   load      reading the ASCII .msh 4.1 into memory: gmsh::merge, and read_file + read_mesh
 // Each is the best of three. Ratios are ours / gmsh's in elements a second: above 1 we are faster.
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "bezcert/mesh/mesh_decider.hpp"
 #include "cross_check.hpp"
 #include "gmsh_mesh.hpp"

@@ -5,7 +5,7 @@
 // without algebra (subdivision to its full budget, which leaves many of them open).
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <algorithm>
 #include <chrono>

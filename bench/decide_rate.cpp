@@ -7,7 +7,7 @@
 // integers decided; what an element costs that needs integers; rational triangles against polynomial ones;
 // and time against the number of elements.
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "bezcert/mesh/mesh_decider.hpp"
 
 #include "gmsh_mesh.hpp"

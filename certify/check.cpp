@@ -1,7 +1,7 @@
 #include "check.hpp"
 
 #include "bezcert/certificate/certificate.hpp"
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/mesh/mesh_decider.hpp"

@@ -4,7 +4,7 @@
 
 #include "bezcert/criterion/criterion.hpp"
 #include "bezcert/decide/decide.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // certify explain: everything known of one element.
 #pragma once
 
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "bezcert/decide/decide.hpp"
 
 #include <string>

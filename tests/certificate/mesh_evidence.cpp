@@ -2,9 +2,9 @@
 // alone.
 #include "bezcert/certificate/mesh_evidence.hpp"
 #include "bezcert/decide/decide.hpp"
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "rules.hpp"
 #include "random_input.hpp"
 

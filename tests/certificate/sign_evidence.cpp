@@ -3,7 +3,7 @@
 #include "bezcert/certificate/sign_evidence.hpp"
 #include "bezcert/certificate/zero_evidence.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "given_jacobian.hpp"
 
 #include <catch2/catch.hpp>

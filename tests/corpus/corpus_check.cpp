@@ -5,9 +5,9 @@
 // corpus/make_elements.py, exact arithmetic in Python). Meshes: the counts and the bad elements in
 // meshes/expected*.tsv (made by corpus/mesh_oracle.py). Prints what differs; exit code 0 or 1.
 #include "bezcert/criterion/subdivision.hpp"
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "bezcert/mesh/domain.hpp"
 #include "bezcert/mesh/embedding.hpp"
 #include "bezcert/number/parse.hpp"

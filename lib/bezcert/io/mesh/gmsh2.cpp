@@ -1,5 +1,5 @@
 // Sections of .msh version 2.x.
-#include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/mesh/gmsh_content.hpp"
 #include "bezcert/io/printable.hpp"
 
 namespace bezcert {

@@ -1,4 +1,4 @@
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/io/json_document.hpp"

@@ -1,7 +1,7 @@
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
-#include "bezcert/io/bez_json.hpp"
-#include "bezcert/io/gmsh.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
+#include "bezcert/io/mesh/gmsh.hpp"
 #include "bezcert/io/input_error.hpp"
 
 namespace bezcert {

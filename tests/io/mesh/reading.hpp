@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bezcert/io/input_error.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <catch2/catch.hpp>
 

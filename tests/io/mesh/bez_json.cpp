@@ -1,5 +1,5 @@
 // .bez.json as it should be: points, weights, shared nodes, numbers, names, curves, and writing it.
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "random_input.hpp"
 #include "reading.hpp"
 

@@ -1,5 +1,5 @@
 // Sections of .msh version 4.1.
-#include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/mesh/gmsh_content.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -5,7 +5,7 @@
 // elements have the same z.
 #pragma once
 
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 namespace bezcert {
 

@@ -1,9 +1,9 @@
 // What the sections of a .msh file say, collected, and the mesh made of it.
 #pragma once
 
-#include "bezcert/io/gmsh_source.hpp"
-#include "bezcert/io/gmsh_types.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/gmsh_source.hpp"
+#include "bezcert/io/mesh/gmsh_types.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <map>
 #include <optional>

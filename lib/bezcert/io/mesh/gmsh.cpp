@@ -1,6 +1,6 @@
-#include "bezcert/io/gmsh.hpp"
+#include "bezcert/io/mesh/gmsh.hpp"
 
-#include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/mesh/gmsh_content.hpp"
 #include "bezcert/io/printable.hpp"
 #include "bezcert/number/interval.hpp"
 

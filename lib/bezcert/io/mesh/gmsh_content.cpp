@@ -1,4 +1,4 @@
-#include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/mesh/gmsh_content.hpp"
 
 #include "bezcert/io/printable.hpp"
 #include "bezcert/number/parse.hpp"

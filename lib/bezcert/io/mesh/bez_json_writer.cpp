@@ -1,4 +1,4 @@
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 
 #include <nlohmann/json.hpp>
 

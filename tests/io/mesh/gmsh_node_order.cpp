@@ -1,5 +1,5 @@
 // Gmsh's node orders and element types against tables that gmsh itself gave.
-#include "bezcert/io/gmsh_types.hpp"
+#include "bezcert/io/mesh/gmsh_types.hpp"
 #include "reading.hpp"
 #include "tiny_mesh.hpp"
 
@@ -99,7 +99,7 @@ TEST_CASE("the reader puts every node in its row and column, orders 1 to 10") {
 TEST_CASE("every type that gmsh has is read, ignored or refused by its name") {
   std::map<std::string, std::size_t> outcomes;
   std::set<std::string> messages;
-  for (const auto& row : table_of(BEZCERT_SOURCE_DIR "/tests/io/gmsh_types.tsv", 5)) {
+  for (const auto& row : table_of(BEZCERT_SOURCE_DIR "/tests/io/mesh/gmsh_types.tsv", 5)) {
     const int type = std::stoi(row[0]);
     const int dimension = std::stoi(row[1]);
     const int order = std::stoi(row[2]);
