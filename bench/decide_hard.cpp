@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   no_algebra.algebra_bits = no_algebra.contact.algebra_bits = 0;
   for (const auto& file : files) {
     const Mesh mesh = read_mesh(file.string(), read_file(file.string()));
-    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
       const Element element = mesh.element(i);
       Row row;
       row.name = file.stem().stem().string();

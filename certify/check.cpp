@@ -1,6 +1,7 @@
 #include "check.hpp"
 
 #include "bezcert/certificate/certificate.hpp"
+#include "bezcert/io/curve/bez_json.hpp"
 #include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
@@ -21,7 +22,7 @@ namespace bezcert::certify {
 namespace {
 
 // A sound criterion contradicts the decision: keep the element, so that the defect can be found.
-void write_reproducer(const std::string& input, const MeshElement& entry, const Element& element,
+void write_reproducer(const std::string& input, std::uint64_t number, const Element& element,
                       const CheckedElement& checked) {
   std::string what;
   for (const CheckedCriterion& one : checked.criteria) {
@@ -29,9 +30,9 @@ void write_reproducer(const std::string& input, const MeshElement& entry, const 
       what += std::string(one.criterion->name) + " says " + std::string(name(one.verdict.status)) + "; ";
   }
   const std::string stem = std::filesystem::path(input).filename().string();
-  const std::string path = "bezcert-contradiction-" + stem + "-" + std::to_string(entry.tag) + ".bez.json";
+  const std::string path = "bezcert-contradiction-" + stem + "-" + std::to_string(number) + ".bez.json";
   write_file(path, [&](std::ostream& stream) {
-    write_bez_json(stream, element, "element " + std::to_string(entry.tag),
+    write_bez_json(stream, element, "element " + std::to_string(number),
                    input + ": " + what + "decision " + std::string(name(checked.decision.verdict)));
   });
   std::cerr << "certify: a sound criterion contradicts the exact decision; reproducer written to " << path
@@ -82,12 +83,12 @@ void take_block(const std::string& input, const Mesh& mesh, const CheckedBlock& 
   for (const ElementClaim& claim : block.claims) proof->element(claim);
   summary.add(block.counts);
   for (const auto& [i, checked] : block.defects) {
-    write_reproducer(input, mesh.elements[i], mesh.element(i), checked);
+    write_reproducer(input, mesh.origin().number(i), mesh.element(i), checked);
   }
 }
 
 struct Input {
-  Mesh mesh;
+  std::optional<Mesh> mesh;
   std::string sha256;
   bool is_json = false;
 };
@@ -110,13 +111,14 @@ Input read_input(const std::string& input, const ReadOptions& options, Workers& 
 // What a certificate says of its elements file: the input itself if `verifier` reads it, or the file written
 // for it.
 CertificateHeader header_of(const std::string& name, const Input& input, const CheckOptions& options) {
-  const Mesh& mesh = input.mesh;
-  CertificateHeader header{input.sha256, mesh.basis_name, mesh.numbers, mesh.elements.size()};
+  const Mesh& mesh = *input.mesh;
+  CertificateHeader header{input.sha256, mesh.origin().basis_name, mesh.origin().numbers,
+                           mesh.elements().size()};
   if (!options.elements.empty()) header.elements_sha256 = sha256(read_file(options.elements));
   if (!options.elements.empty() || input.is_json) {
     header.basis = "mixed";
     header.numbers = Numbers::decimal;
-  } else if (mesh.elements.front().line == 0) {
+  } else if (mesh.origin().line(0) == 0) {
     throw InputError(name, 0,
                      "is binary, which verifier does not read: expected --elements=FILE beside --certificate "
                      "(the mesh as exact .bez.json), or an ASCII .msh");
@@ -128,7 +130,7 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, std::s
                    Workers& workers, Report& report, std::ostream* certificate) {
   const auto start = std::chrono::steady_clock::now();
   const Input read = read_input(input, options.read, workers);
-  const Mesh& mesh = read.mesh;
+  const Mesh& mesh = *read.mesh;
   if (!options.elements.empty()) {
     write_file(options.elements, [&](std::ostream& stream) { write_bez_json(stream, mesh); });
   }
@@ -139,13 +141,13 @@ Summary check_mesh(const std::string& input, const CheckOptions& options, std::s
   Summary summary;
   summary.criteria = options.criteria;
   summary.clear(options.criteria.size());
-  std::vector<ElementState> states(mesh.elements.size());
+  std::vector<ElementState> states(mesh.elements().size());
   std::optional<MeshTopology> topology;
   workers.both([&] { topology.emplace(mesh); },
                [&] {
-                 Progress progress(input, mesh.elements.size());
+                 Progress progress(input, mesh.elements().size());
                  workers.in_order<CheckedBlock>(
-                     mesh.elements.size(), block_size,
+                     mesh.elements().size(), block_size,
                      [&](std::size_t begin, std::size_t end, CheckedBlock& block) {
                        check_block(mesh, begin, end, options, report, states, block);
                      },

@@ -81,12 +81,12 @@ void Report::write(const std::string& text) {
 }
 
 std::string element_title(const std::string& input, const Mesh& mesh, std::size_t index) {
-  const MeshElement& entry = mesh.elements[index];
+  const MeshElement& entry = mesh.elements()[index];
   std::string text = input;
-  if (entry.line > 0) text += ":" + std::to_string(entry.line);
-  text += ": element " + std::to_string(entry.tag);
-  if (index < mesh.names.size() && !mesh.names[index].empty())
-    text += " \"" + printable(mesh.names[index], 80) + "\"";
+  if (mesh.origin().line(index) > 0) text += ":" + std::to_string(mesh.origin().line(index));
+  text += ": element " + std::to_string(mesh.origin().number(index));
+  if (const std::string_view given = mesh.origin().name(index); !given.empty())
+    text += " \"" + printable(given, 80) + "\"";
   const bool triangle = entry.shape.domain == Domain::triangle;
   text += triangle ? " (triangle, degree " : " (quadrilateral, degree ";
   text += std::to_string(entry.shape.p);

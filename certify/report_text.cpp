@@ -37,7 +37,7 @@ class TextReport : public Report {
       stream_ << (first ? "" : ", ") << summary.count(verdict) << " " << name(verdict);
       first = false;
     }
-    const IgnoredCells& ignored = mesh.ignored;
+    const IgnoredCells& ignored = mesh.origin().ignored;
     if (ignored.points + ignored.lines + ignored.volumes > 0) {
       stream_ << " (ignored: " << ignored.points << " points, " << ignored.lines << " lines, "
               << ignored.volumes << " volume cells)";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bezcert/mesh/mesh_decider.hpp"
+#include "mesh_parts.hpp"
 #include "random_input.hpp"
 
 #include <cmath>
@@ -17,7 +18,7 @@ struct DoubleNet {
   std::vector<double> x, y, w;  ///< w is empty for a polynomial element
 };
 
-inline void append(Mesh& mesh, const DoubleNet& net) {
+inline void append(MeshParts& mesh, const DoubleNet& net) {
   MeshElement element;
   element.shape = net.shape;
   element.basis = net.basis;
@@ -32,9 +33,9 @@ inline void append(Mesh& mesh, const DoubleNet& net) {
 }
 
 inline Mesh mesh_of(const DoubleNet& net) {
-  Mesh mesh;
+  MeshParts mesh;
   append(mesh, net);
-  return mesh;
+  return mesh.build();
 }
 
 /// A number from -1 to 1 with 53 random bits.
@@ -138,10 +139,11 @@ inline DoubleNet just_settled(const DoubleNet& good, const DoubleNet& bad) {
     const Mesh mesh = mesh_of(net);
     const std::size_t first = 0;
     batch::Settled result;
-    batch::settle(*table,
-                  {mesh.x.doubles().data(), mesh.y.doubles().data(),
-                   mesh.weights.empty() ? nullptr : mesh.weights.doubles().data(), mesh.connectivity.data()},
-                  {&first, 1}, {&result, 1});
+    batch::settle(
+        *table,
+        {mesh.coordinates(0).doubles().data(), mesh.coordinates(1).doubles().data(),
+         mesh.weights().empty() ? nullptr : mesh.weights().doubles().data(), mesh.connectivity().data()},
+        {&first, 1}, {&result, 1});
     return result.settled;
   };
   if (!by_block(good) || by_block(between(1))) return good;

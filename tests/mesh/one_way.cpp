@@ -1,6 +1,7 @@
 // run_one_way says yes only if, exactly, all control edges of both curves have a positive product with the
 // chord: against integers, on chords to which some control edges are nearly perpendicular.
 #include "bezcert/mesh/one_way.hpp"
+#include "mesh_parts.hpp"
 #include "random_input.hpp"
 
 #include <catch2/catch.hpp>
@@ -42,7 +43,7 @@ double value_at(std::vector<double> c, double t) {
 // Two triangles with nodes of their own whose edges 0 follow each other along a line, or near one. The rest
 // of the nodes does not matter.
 Mesh two_edges(Random& random) {
-  Mesh mesh;
+  MeshParts mesh;
   const double a = random.chance(30) ? 1 : random.any_double(-2, 2);
   const double b = random.chance(30) ? 0 : random.any_double(-2, 2);
   const double scale = random.chance(90) ? 1 : std::ldexp(1, static_cast<int>(random.integer(-500, 500)));
@@ -72,10 +73,10 @@ Mesh two_edges(Random& random) {
       }
       mesh.connectivity.push_back(static_cast<std::uint32_t>(first + k));
     }
-    mesh.elements.push_back({shape, basis, static_cast<std::uint64_t>(element) + 1, 0, first});
+    mesh.elements.push_back({shape, basis, first});
     start += values.back();
   }
-  return mesh;
+  return mesh.build();
 }
 
 // The least product of a control edge with d, up to a positive factor.
@@ -119,7 +120,7 @@ void attack(std::uint64_t seed, int cases) {
 
 Mesh straight(Basis basis, std::initializer_list<std::pair<double, double>> first,
               std::initializer_list<std::pair<double, double>> second) {
-  Mesh mesh;
+  MeshParts mesh;
   for (const auto& side : {first, second}) {
     const std::size_t start = mesh.x.size();
     const int n = static_cast<int>(side.size()) - 1;
@@ -131,9 +132,9 @@ Mesh straight(Basis basis, std::initializer_list<std::pair<double, double>> firs
       mesh.y.push_back(points[k].second);
       mesh.connectivity.push_back(static_cast<std::uint32_t>(start + k));
     }
-    mesh.elements.push_back({shape, basis, 1, 0, start});
+    mesh.elements.push_back({shape, basis, start});
   }
-  return mesh;
+  return mesh.build();
 }
 
 }  // namespace
@@ -160,14 +161,14 @@ TEST_CASE("edges that turn back do not run one way") {
 TEST_CASE("where doubles do not tell, nothing is said") {
   const auto ask = [](const Mesh& mesh) { return run_one_way(MeshEdges(mesh), 0, 3); };
   const Mesh plain = straight(Basis::bernstein, {{0, 0}, {1, 0}}, {{1, 0}, {2, 0}});
-  Mesh mesh = plain;
+  MeshParts mesh(plain);
   for (const double weight : {2, 2, 1, 2, 2, 1}) mesh.weights.push_back(weight);
-  CHECK(ask(mesh));  // one weight along each edge
+  CHECK(ask(mesh.build()));  // one weight along each edge
   mesh.weights = ExactVector(std::vector<double>{2, 1, 1, 2, 2, 1});
-  CHECK_FALSE(ask(mesh));
-  mesh = plain;
+  CHECK_FALSE(ask(mesh.build()));
+  mesh = MeshParts(plain);
   mesh.x = ExactVector(std::vector<Rational>{0, 1, 0, 1, Rational(7, 3), 0});
-  CHECK_FALSE(ask(mesh));
+  CHECK_FALSE(ask(mesh.build()));
   for (const double scale : {0x1p-420, 0x1p440, 0x1p1000}) {  // products that are too small or too large
     CHECK_FALSE(ask(straight(Basis::bernstein, {{0, 0}, {scale, 0}}, {{scale, 0}, {1.5 * scale, 0}})));
   }
@@ -175,7 +176,7 @@ TEST_CASE("where doubles do not tell, nothing is said") {
   for (const auto& [degree, basis, expected] :
        {std::tuple{64, Basis::bernstein, false}, std::tuple{63, Basis::bernstein, true},
         std::tuple{50, Basis::lagrange, false}, std::tuple{5, Basis::lagrange, true}}) {
-    Mesh high;
+    MeshParts high;
     for (const int element : {0, 1}) {
       const Shape shape{Domain::triangle, degree, 0};
       const std::size_t first = high.x.size();
@@ -184,9 +185,9 @@ TEST_CASE("where doubles do not tell, nothing is said") {
         high.y.push_back(0.0);
         high.connectivity.push_back(static_cast<std::uint32_t>(first + k));
       }
-      high.elements.push_back({shape, basis, 1, 0, first});
+      high.elements.push_back({shape, basis, first});
     }
     INFO("degree " << degree);
-    CHECK(ask(high) == expected);
+    CHECK(ask(high.build()) == expected);
   }
 }

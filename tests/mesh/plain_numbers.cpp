@@ -2,6 +2,7 @@
 // arithmetic.
 #include "bezcert/mesh/loop_area.hpp"
 #include "bezcert/mesh/polynomial_area.hpp"
+#include "mesh_parts.hpp"
 #include "random_input.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,7 +17,7 @@ namespace {
 
 // One element with nodes of its own: near a corner of an even grid, or anywhere.
 Mesh random_mesh(Random& random) {
-  Mesh mesh;
+  MeshParts mesh;
   const bool triangle = random.chance(70);
   const int p = static_cast<int>(random.integer(1, 7));
   const Shape shape{triangle ? Domain::triangle : Domain::square, p,
@@ -43,8 +44,8 @@ Mesh random_mesh(Random& random) {
       mesh.connectivity.push_back(static_cast<std::uint32_t>(mesh.connectivity.size()));
     }
   }
-  mesh.elements.push_back({shape, random.chance(60) ? Basis::lagrange : Basis::bernstein, 1, 0, 0});
-  return mesh;
+  mesh.elements.push_back({shape, random.chance(60) ? Basis::lagrange : Basis::bernstein, 0});
+  return mesh.build();
 }
 
 // The area beside an edge from its exact control points: the sum of all products with their integrals.

@@ -282,7 +282,7 @@ class BoundaryCheck {
   void meet(EdgeUse a, EdgeUse b, const Contact& contact, const CurveNet<Integer>& net_a) {
     MeshObstacle result = obstacle(MeshVerdict::overlapping_boundary, a, b);
     for (const EdgeUse use : {a, b}) {
-      if (!edges_.mesh().glued_by_nodes) break;
+      if (!edges_.mesh().glued_by_nodes()) break;
       result.nodes.push_back(begin(use));
       result.nodes.push_back(end(use));
     }

@@ -17,11 +17,11 @@ class VertexIndex {
     for (std::uint32_t vertex = 0; vertex + 1 < corners.start.size(); ++vertex) {
       if (corners.start[vertex] < corners.start[vertex + 1]) vertices_.push_back(vertex);
     }
-    const bool doubles = mesh.x.binary64() && mesh.y.binary64();
+    const bool doubles = mesh.coordinates(0).binary64() && mesh.coordinates(1).binary64();
     std::sort(vertices_.begin(), vertices_.end(), [&](std::uint32_t a, std::uint32_t b) {
       if (doubles) {
         const auto key = [&](std::uint32_t v) {
-          return std::tuple(mesh.x.doubles()[v], mesh.y.doubles()[v], v);
+          return std::tuple(mesh.coordinates(0).doubles()[v], mesh.coordinates(1).doubles()[v], v);
         };
         return key(a) < key(b);
       }
@@ -115,7 +115,7 @@ class DomainCheck {
     DomainFailure result;
     result.parameter = t;
     result.point = point;
-    if (mesh_.glued_by_nodes) result.nodes = vertices;
+    if (mesh_.glued_by_nodes()) result.nodes = vertices;
     for (const Departure& departure : departures) {
       const std::uint32_t element = edges_.element(departure.use);
       if (std::find(result.elements.begin(), result.elements.end(), element) == result.elements.end()) {

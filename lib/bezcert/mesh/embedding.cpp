@@ -49,7 +49,7 @@ MeshTopology::MeshTopology(const Mesh& mesh, std::optional<std::uint32_t> elemen
 }
 
 MeshResult examine_mesh(const Mesh& mesh, std::span<const ElementState> states, const MeshOptions& options) {
-  if (states.size() != mesh.elements.size())
+  if (states.size() != mesh.elements().size())
     throw std::invalid_argument("examine_mesh: one state an element");
   return examine_mesh(MeshTopology(mesh, options.element), states, options);
 }
@@ -59,7 +59,7 @@ MeshResult examine_mesh(MeshTopology&& topology, std::span<const ElementState> s
   const auto& [known, edges, gluing, corners, fans, components, wide, near, is_surface, loops, areas,
                characteristics] = topology;
   const Mesh& mesh = edges.mesh();
-  if (states.size() != mesh.elements.size())
+  if (states.size() != mesh.elements().size())
     throw std::invalid_argument("examine_mesh: one state an element");
   MeshResult result;
   ObstacleList& obstacles = result.obstacles;

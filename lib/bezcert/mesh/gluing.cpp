@@ -18,27 +18,29 @@ std::vector<std::uint32_t> begin_vertices(const MeshEdges& edges) {
   const Mesh& mesh = edges.mesh();
   std::vector<std::uint32_t> result(edges.count());
   for (EdgeUse use = 0; use < edges.count(); ++use) result[use] = edges.begin_node(use);
-  if (mesh.glued_by_nodes) return result;
+  if (mesh.glued_by_nodes()) return result;
 
   std::vector<std::uint32_t> nodes = result;
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  const bool doubles = mesh.x.binary64() && mesh.y.binary64();
+  const bool doubles = mesh.coordinates(0).binary64() && mesh.coordinates(1).binary64();
   const auto compare = [&](std::uint32_t a, std::uint32_t b) {
     if (doubles) {
-      const auto key = [&](std::uint32_t n) { return std::pair(mesh.x.doubles()[n], mesh.y.doubles()[n]); };
+      const auto key = [&](std::uint32_t n) {
+        return std::pair(mesh.coordinates(0).doubles()[n], mesh.coordinates(1).doubles()[n]);
+      };
       return key(a) < key(b) ? -1 : key(b) < key(a) ? 1 : 0;
     }
-    const Rational xa = mesh.x[a], xb = mesh.x[b];
+    const Rational xa = mesh.coordinates(0)[a], xb = mesh.coordinates(0)[b];
     if (xa != xb) return xa < xb ? -1 : 1;
-    const Rational ya = mesh.y[a], yb = mesh.y[b];
+    const Rational ya = mesh.coordinates(1)[a], yb = mesh.coordinates(1)[b];
     return ya < yb ? -1 : ya == yb ? 0 : 1;
   };
   std::sort(nodes.begin(), nodes.end(), [&](std::uint32_t a, std::uint32_t b) {
     const int order = compare(a, b);
     return order != 0 ? order < 0 : a < b;
   });
-  std::vector<std::uint32_t> vertex(mesh.x.size());
+  std::vector<std::uint32_t> vertex(mesh.node_count());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const bool same = i > 0 && compare(nodes[i - 1], nodes[i]) == 0;
     vertex[nodes[i]] = same ? vertex[nodes[i - 1]] : nodes[i];
@@ -78,7 +80,7 @@ class Gluer {
 
   // A counting sort: linear.
   void sort_by_smaller_vertex() {
-    start_.assign(edges_.mesh().x.size() + 2, 0);
+    start_.assign(edges_.mesh().node_count() + 2, 0);
     for (EdgeUse use = 0; use < edges_.count(); ++use) ++start_[smaller(use) + 2];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     sorted_.resize(edges_.count());
@@ -278,7 +280,7 @@ Gluing glue(const MeshEdges& edges, ObstacleList& obstacles) { return Gluer(edge
 
 CornersByVertex corners_by_vertex(const MeshEdges& edges, const Gluing& gluing) {
   CornersByVertex result;
-  result.start.assign(edges.mesh().x.size() + 2, 0);
+  result.start.assign(edges.mesh().node_count() + 2, 0);
   for (const std::uint32_t vertex : gluing.begin) ++result.start[vertex + 2];
   std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
   result.corners.resize(edges.count());

@@ -74,7 +74,7 @@ class MeshEdges {
 
   const Mesh& mesh() const { return mesh_; }
   std::size_t count() const { return count_; }
-  std::size_t element_count() const { return mesh_.elements.size(); }
+  std::size_t element_count() const { return mesh_.elements().size(); }
 
   std::uint32_t element(EdgeUse use) const {
     return sides_ == 3 ? use / 3 : sides_ == 4 ? use / 4 : element_[use];
@@ -94,16 +94,16 @@ class MeshEdges {
   }
 
   /// The number the file gives the element of an edge.
-  std::uint64_t element_number(EdgeUse use) const { return mesh_.elements[element(use)].tag; }
+  std::uint64_t element_number(EdgeUse use) const { return mesh_.origin().number(element(use)); }
   /// The nodes along the edge; control points of it, or nodes that it interpolates.
   EdgeNodes nodes(EdgeUse use) const {
     const std::uint32_t own = element(use);
-    const std::size_t begin = stride_ > 0 ? own * stride_ : mesh_.elements[own].first_node;
-    return {mesh_.connectivity.data() + begin, shapes_[shape_of(own)].along[use - first(own)]};
+    const std::size_t begin = stride_ > 0 ? own * stride_ : mesh_.elements()[own].first_node;
+    return {mesh_.connectivity().data() + begin, shapes_[shape_of(own)].along[use - first(own)]};
   }
   std::uint32_t begin_node(EdgeUse use) const { return nodes(use).front(); }
   Basis basis(EdgeUse use) const { return shapes_[shape_of(element(use))].basis; }
-  Point point(std::uint32_t node) const { return {mesh_.x[node], mesh_.y[node]}; }
+  Point point(std::uint32_t node) const { return {mesh_.coordinates(0)[node], mesh_.coordinates(1)[node]}; }
 
   /// Homogeneous control points with X / W and Y / W the true coordinates; the factor of all three is
   /// positive.

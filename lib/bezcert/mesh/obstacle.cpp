@@ -50,8 +50,8 @@ std::string text_of(const Point& point) {
 
 std::string node_text(const MeshEdges& edges, std::uint32_t node) {
   const std::string where = text_of(edges.point(node));
-  if (!edges.mesh().glued_by_nodes) return "the point " + where;
-  return "node " + std::to_string(edges.mesh().node_number(node)) + " at " + where;
+  if (!edges.mesh().glued_by_nodes()) return "the point " + where;
+  return "node " + std::to_string(edges.mesh().origin().node_number(node)) + " at " + where;
 }
 
 std::string elements_text(const Mesh& mesh, const std::vector<std::uint32_t>& elements) {
@@ -60,14 +60,14 @@ std::string elements_text(const Mesh& mesh, const std::vector<std::uint32_t>& el
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (i == listed) return text + " and " + std::to_string(elements.size() - listed) + " more";
     if (i > 0) text += i + 1 == elements.size() ? " and " : ", ";
-    text += std::to_string(mesh.elements[elements[i]].tag);
+    text += std::to_string(mesh.origin().number(elements[i]));
   }
   return text;
 }
 
 void name_nodes(const MeshEdges& edges, const std::vector<std::uint32_t>& nodes, MeshObstacle& obstacle) {
   for (const std::uint32_t node : nodes) {
-    if (edges.mesh().glued_by_nodes) obstacle.nodes.push_back(node);
+    if (edges.mesh().glued_by_nodes()) obstacle.nodes.push_back(node);
     obstacle.points.push_back(edges.point(node));
   }
 }

@@ -50,8 +50,8 @@ struct Direction {
 
 bool runs_along(const MeshEdges& edges, EdgeUse use, Direction d) {
   const EdgeNodes nodes = edges.nodes(use);
-  const double* const x = edges.mesh().x.doubles().data();
-  const double* const y = edges.mesh().y.doubles().data();
+  const double* const x = edges.mesh().coordinates(0).doubles().data();
+  const double* const y = edges.mesh().coordinates(1).doubles().data();
   const std::size_t count = nodes.size();
   std::array<double, most_nodes> along;
   double a = 0, largest = 0;
@@ -82,12 +82,12 @@ bool runs_along(const MeshEdges& edges, EdgeUse use, Direction d) {
 
 bool run_one_way(const MeshEdges& edges, EdgeUse first, EdgeUse second) {
   const Mesh& mesh = edges.mesh();
-  if (!mesh.x.binary64() || !mesh.y.binary64()) return false;
+  if (!mesh.coordinates(0).binary64() || !mesh.coordinates(1).binary64()) return false;
   if (!edges.equal_weights(first) || !edges.equal_weights(second)) return false;
   const EdgeNodes from = edges.nodes(first), to = edges.nodes(second);
   if (from.size() > most_nodes || to.size() > most_nodes) return false;
-  const Direction d{mesh.x.doubles()[to.back()] - mesh.x.doubles()[from.front()],
-                    mesh.y.doubles()[to.back()] - mesh.y.doubles()[from.front()]};
+  const Direction d{mesh.coordinates(0).doubles()[to.back()] - mesh.coordinates(0).doubles()[from.front()],
+                    mesh.coordinates(1).doubles()[to.back()] - mesh.coordinates(1).doubles()[from.front()]};
   if (!(std::abs(d.x) < 0x1p900 && std::abs(d.y) < 0x1p900)) return false;
   return runs_along(edges, first, d) && runs_along(edges, second, d);
 }

@@ -95,12 +95,13 @@ std::pair<Rational, Rational> bracket_integral(const std::vector<Integer>& x, co
 }
 
 bool has_plain_area(const MeshEdges& edges, EdgeUse use) {
-  return edges.mesh().x.binary64() && edges.mesh().y.binary64() && edges.equal_weights(use);
+  return edges.mesh().coordinates(0).binary64() && edges.mesh().coordinates(1).binary64() &&
+         edges.equal_weights(use);
 }
 
 Rational plain_area(const MeshEdges& edges, std::span<const EdgeUse> uses) {
-  const double* const x = edges.mesh().x.doubles().data();
-  const double* const y = edges.mesh().y.doubles().data();
+  const double* const x = edges.mesh().coordinates(0).doubles().data();
+  const double* const y = edges.mesh().coordinates(1).doubles().data();
   std::optional<int> lowest;
   for (const EdgeUse use : uses) {
     const EdgeNodes nodes = edges.nodes(use);

@@ -56,7 +56,7 @@ class TurnCounter {
   // The number of sectors at each vertex that hold +x: of a closed fan, its full turns. Element by
   // element, as memory has them: a sector's ends are the tangents of its own element.
   std::vector<std::uint32_t> turns(const Gluing& gluing) const {
-    std::vector<std::uint32_t> result(edges_.mesh().x.size(), 0);
+    std::vector<std::uint32_t> result(edges_.mesh().node_count(), 0);
     for (std::size_t element = 0; element < edges_.element_count(); ++element) {
       const EdgeUse first = edges_.first(element), last = edges_.first(element + 1) - 1;
       Side arriving = side_of_x({last, End::end});
@@ -205,7 +205,7 @@ std::vector<Fan> fans_of(const MeshEdges& edges, const Gluing& gluing, const Cor
 Fans link_fans(const MeshEdges& edges, const Gluing& gluing, const CornersByVertex& corners,
                ObstacleList& obstacles) {
   Fans result;
-  const std::size_t vertices = edges.mesh().x.size();
+  const std::size_t vertices = edges.mesh().node_count();
   result.next_boundary.assign(edges.count(), no_edge);
   result.open.assign(vertices, false);
   result.bad.assign(vertices, false);

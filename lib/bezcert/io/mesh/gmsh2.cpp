@@ -138,7 +138,7 @@ bool read_plain_elements(GmshSource& source, GmshContent& content, std::size_t c
     places->set(i, start.tag, line_before + 1 + i);
     return places->read_nodes(line, i);
   });
-  if (!read) content.drop_elements(type, count);
+  if (!read) content.drop_elements(count);
   return read;
 }
 

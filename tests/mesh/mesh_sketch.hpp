@@ -3,6 +3,7 @@
 
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/mesh/embedding.hpp"
+#include "mesh_parts.hpp"
 
 #include <array>
 #include <map>
@@ -13,7 +14,7 @@ namespace bezcert::test {
 
 /// Nodes and elements in the Bernstein basis. Edges are curves between corner nodes: those with control
 /// points given by `curve` are shared by all elements at the edge, others are straight.
-class MeshBuilder {
+class MeshSketch {
  public:
   using Node = std::uint32_t;
 
@@ -108,15 +109,14 @@ class MeshBuilder {
   /// The mesh, its elements in the given order (all in turn if empty), with points of their own if not
   /// `by_nodes`.
   Mesh build(bool by_nodes = true, const std::vector<std::size_t>& order = {}) const {
-    Mesh mesh;
+    MeshParts mesh;
     mesh.glued_by_nodes = by_nodes;
-    mesh.numbers = Numbers::decimal;
     bool weighted = false;
     for (const Rational& w : w_) weighted = weighted || w != 1;
     std::vector<Node> used;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
       const auto& [shape, nodes] = elements_[order.empty() ? i : order[i]];
-      mesh.elements.push_back({shape, Basis::bernstein, i + 1, 0, mesh.connectivity.size()});
+      mesh.elements.push_back({shape, Basis::bernstein, mesh.connectivity.size()});
       for (const Node one : nodes) {
         mesh.connectivity.push_back(by_nodes ? one : static_cast<Node>(used.size()));
         used.push_back(one);
@@ -131,7 +131,7 @@ class MeshBuilder {
       mesh.y.push_back(y_[one]);
       if (weighted) mesh.weights.push_back(w_[one]);
     }
-    return mesh;
+    return mesh.build();
   }
 
  private:
@@ -160,7 +160,7 @@ class MeshBuilder {
 /// The verdict with every element decided first.
 inline MeshResult examine(const Mesh& mesh) {
   std::vector<ElementState> states;
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     const Element element = mesh.element(i);
     const ElementVerdict verdict = decide(Forms(element)).verdict;
     states.push_back(verdict == ElementVerdict::injective ? ElementState::injective
