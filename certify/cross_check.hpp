@@ -7,19 +7,9 @@
 
 #include <functional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace bezcert::certify {
-
-/// consistent; strength_gap: the criterion is inconclusive about what the decision proves; contradiction:
-/// one of them is wrong.
-enum class Agreement { consistent, strength_gap, contradiction };
-
-std::string_view name(Agreement agreement);
-
-/// How one verdict stands to the decision.
-Agreement compare(const Verdict& verdict, const Decision& decision);
 
 struct CheckedCriterion {
   const Criterion* criterion = nullptr;
@@ -55,10 +45,6 @@ using VisitChecked = std::function<void(std::size_t, const CheckedElement&)>;
 void check_elements(const Mesh& mesh, std::size_t begin, std::size_t end,
                     std::span<const Criterion* const> chosen, const Budget& budget, Filter filter,
                     const VisitChecked& visit);
-
-/// Whether the element is certainly not certifiable: an invalid verdict, or undecided with a witness that
-/// det J <= 0 somewhere.
-bool certainly_invalid(const Decision& decision);
 
 /// What the decision of the mesh takes from that of an element.
 ElementState state_of(const Decision& decision);

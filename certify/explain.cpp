@@ -186,11 +186,11 @@ int explain(const ExplainOptions& options) {
   print_net(element);
   std::cout << "verdict: " << name(decision.verdict) << '\n';
   if (is_regular(decision.verdict) || decision.verdict == ElementVerdict::reversed) {
-    std::cout << "  sign of det J by " << decision.sign_proof << ", " << decision.pieces << " pieces\n";
+    std::cout << "  sign of det J by " << name(decision.sign_proof) << ", " << decision.pieces << " pieces\n";
   }
-  if (!decision.injectivity_proof.empty())
-    std::cout << "  injective by " << decision.injectivity_proof << '\n';
-  if (!decision.open.empty()) std::cout << "  open: " << decision.open << '\n';
+  if (decision.injectivity_proof != InjectivityProof::none)
+    std::cout << "  injective by " << name(decision.injectivity_proof) << '\n';
+  if (!decision.exhausted.empty()) std::cout << "  open: " << open_text(decision) << '\n';
   if (decision.witness) print_witness("witness", *decision.witness);
   if (decision.other_witness) print_witness("det J is not negative everywhere", *decision.other_witness);
   if (decision.zero) print_zero(*decision.zero, element.is_triangle());

@@ -5,43 +5,6 @@
 #include <ostream>
 
 namespace bezcert::certify {
-namespace {
-
-constexpr std::size_t longest_exact_text = 40;
-
-// Exact if that is short, else decimal: the exact value is in the JSON report and in `explain`.
-std::string determinant_text(const Rational& value) {
-  const std::string exact_text = to_string(value);
-  return exact_text.size() <= longest_exact_text ? "= " + exact_text : "~ " + to_decimal(value);
-}
-
-std::string range_text(const BoundaryRange& range) {
-  std::string text = "edge " + std::to_string(range.edge);
-  if (range.lower == range.upper) return text + " at " + to_string(range.lower);
-  return text + " in [" + to_string(range.lower) + ", " + to_string(range.upper) + "]";
-}
-
-std::string coordinate_text(const RealRoot& x) {
-  if (x.is_rational()) return to_string(x.lower);
-  return "in [" + to_decimal(x.lower, 13) + ", " + to_decimal(x.upper, 13) + "]";
-}
-
-// The zero set of det J of a degenerate element; a rational zero is shown as the witness already.
-std::string describe(const AlgebraicZero& zero) {
-  std::string text;
-  if (!zero.at.is_rational()) {
-    text = ", det J = 0 at u " + coordinate_text(zero.at.u) + ", v " + coordinate_text(zero.at.v);
-  }
-  switch (zero.dimension) {
-    case 0: return text + ", finitely many zeros";
-    case 1: return text + ", zeros along a curve";
-    case 2: return text + ", zero everywhere";
-    default: return text;
-  }
-}
-
-}  // namespace
-
 void ElementCounts::clear(std::size_t criteria) {
   elements = findings = defects = 0;
   by_verdict.fill(0);
@@ -92,23 +55,6 @@ std::string element_title(const std::string& input, const Mesh& mesh, std::size_
   text += std::to_string(entry.shape.p);
   if (!triangle && entry.shape.p != entry.shape.q) text += "x" + std::to_string(entry.shape.q);
   return text + ")";
-}
-
-std::string describe(const Decision& decision) {
-  std::string text(name(decision.verdict));
-  if (decision.verdict == ElementVerdict::reversed) text += " (clockwise: det J < 0 everywhere)";
-  if (decision.witness) {
-    text += ", det J " + determinant_text(decision.witness->determinant) + " at " +
-            to_string(decision.witness->parameter);
-  }
-  if (decision.zero) text += describe(*decision.zero);
-  if (decision.overlap) {
-    text += std::string(", det J > 0 but the boundary ") +
-            (decision.overlap->along_a_piece ? "runs along itself: " : "meets itself: ") +
-            range_text(decision.overlap->first) + " and " + range_text(decision.overlap->second);
-  }
-  if (!decision.open.empty()) text += "; open: " + decision.open;
-  return text;
 }
 
 std::string_view name(Numbers numbers) { return numbers == Numbers::binary64 ? "binary64" : "decimal"; }

@@ -6,6 +6,7 @@
 
 #include "bezcert/mesh/domain.hpp"
 #include "bezcert/mesh/embedding.hpp"
+#include "bezcert/report/decision_text.hpp"
 #include "cross_check.hpp"
 
 #include <array>
@@ -78,9 +79,6 @@ std::unique_ptr<Report> make_jsonl_report(std::ostream& stream);
 
 /// "mesh.msh:12: element 5 (triangle, degree 2)", with the name if it has one.
 std::string element_title(const std::string& input, const Mesh& mesh, std::size_t index);
-
-/// "folded, det J = -4/5 at (1, 0, 0)".
-std::string describe(const Decision& decision);
 
 std::string_view name(Numbers numbers);
 

@@ -136,7 +136,7 @@ class JsonLinesReport : public Report {
       to.field("overlap",
                Json::array({range_object(decision.overlap->first), range_object(decision.overlap->second)}));
     }
-    if (!decision.open.empty()) to.field("open", decision.open);
+    if (!decision.exhausted.empty()) to.field("open", open_text(decision));
     to << ",\"criteria\":{"sv;
     for (std::size_t i = 0; i < checked.criteria.size(); ++i) {
       to << (i > 0 ? ",\""sv : "\""sv) << checked.criteria[i].criterion->name << "\":\""sv

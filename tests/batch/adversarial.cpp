@@ -80,7 +80,7 @@ void check(const DoubleNet& net, Seen& seen) {
   if (net.shape.p <= 3 && net.shape.q <= 2 && seen.settled % 4 == 0) {
     ++seen.hull;
     const auto proof = prove_injective(Forms(element, Filter::off));
-    if (proof != (table->midpoint ? "midpoint" : "jacobian_hull")) {
+    if (proof != (table->midpoint ? InjectivityProof::midpoint : InjectivityProof::jacobian_hull)) {
       INFO(show(net));
       FAIL_CHECK("settled, but jacobian_hull does not hold");
     }

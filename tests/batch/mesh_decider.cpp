@@ -1,6 +1,7 @@
 // A mesh's decisions are those of its elements alone, with and without filters, in every part that a report
 // shows.
 #include "batch/hostile_mesh.hpp"
+#include "bezcert/report/decision_text.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -21,9 +22,9 @@ std::string text(const std::optional<Witness>& witness) {
 std::string text(const Decision& d) {
   return std::string(name(d.verdict)) + ", witness " + text(d.witness) + ", other " + text(d.other_witness) +
          ", bounds " + text(d.bounds.min_lower) + " " + text(d.bounds.min_upper) + " " +
-         text(d.bounds.max_lower) + " " + text(d.bounds.max_upper) + ", sign " + std::string(d.sign_proof) +
-         ", injective by " + std::string(d.injectivity_proof) + ", open " + d.open + ", pieces " +
-         std::to_string(d.pieces);
+         text(d.bounds.max_lower) + " " + text(d.bounds.max_upper) + ", sign " +
+         std::string(name(d.sign_proof)) + ", injective by " + std::string(name(d.injectivity_proof)) +
+         ", open " + open_text(d) + ", pieces " + std::to_string(d.pieces);
 }
 
 Budget small_budget() {

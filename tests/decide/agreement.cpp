@@ -39,7 +39,7 @@ bool evidence_holds(const Element& element, const Decision& decision) {
              det(*decision.other_witness) >= 0;
     case ElementVerdict::degenerate: return decision.witness && det(*decision.witness) == 0;
     case ElementVerdict::overlapping: return decision.overlap.has_value();
-    case ElementVerdict::undecided: return !decision.open.empty();
+    case ElementVerdict::undecided: return !decision.exhausted.empty();
     default: return true;
   }
 }

@@ -9,17 +9,17 @@
 
 #include "bezcert/batch/block.hpp"
 #include "bezcert/batch/table.hpp"
-#include "bezcert/element/jacobian_tree.hpp"
+#include "bezcert/element/determinant_bounds.hpp"
+#include "bezcert/verdict/element_verdict.hpp"
 
 #include <span>
-#include <string_view>
 
 namespace bezcert::batch {
 
 struct Settled {
   bool settled = false;
   DeterminantBounds bounds;
-  std::string_view injectivity_proof;
+  InjectivityProof injectivity_proof = InjectivityProof::none;
 };
 
 /// Tries the elements whose nodes begin at the given places of the connectivity; results[i] answers for

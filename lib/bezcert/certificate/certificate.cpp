@@ -16,8 +16,8 @@ using Evidence = std::optional<std::string>;
 
 // Beside SIGN.
 Evidence injective_evidence(const Forms& forms, const Decision& decision) {
-  if (decision.injectivity_proof == "boundary") return boundary_evidence(forms);
-  return std::string(decision.injectivity_proof);
+  if (decision.injectivity_proof == InjectivityProof::boundary) return boundary_evidence(forms);
+  return std::string(name(decision.injectivity_proof));
 }
 
 // "u v", without what the barycentric coordinates have too much.
@@ -41,7 +41,7 @@ ElementClaim invalid_claim(const Forms& forms, const Decision& decision) {
 }
 
 ElementClaim regular_claim(const Forms& forms, const Decision& decision) {
-  if (decision.injectivity_proof == "jacobian_hull") return hull_claim();
+  if (decision.injectivity_proof == InjectivityProof::jacobian_hull) return hull_claim();
   const Evidence positive = sign_evidence(forms, decision, WantedSign::positive);
   if (!positive) return {};
   const bool is_regular = decision.verdict == ElementVerdict::regular;
@@ -102,8 +102,9 @@ ElementClaim claim_of(const Element& element, const Decision& decision) {
 ElementClaim claim_of(const Mesh& mesh, std::size_t i, const Decision& decision) {
   // The ordinary cases need no element.
   if (decision.verdict == ElementVerdict::injective) {
-    if (decision.injectivity_proof == "jacobian_hull") return hull_claim();
-    if (decision.injectivity_proof == "midpoint" && decision.sign_proof == "coefficients") {
+    if (decision.injectivity_proof == InjectivityProof::jacobian_hull) return hull_claim();
+    if (decision.injectivity_proof == InjectivityProof::midpoint &&
+        decision.sign_proof == SignProof::coefficients) {
       return {"injective coefficients midpoint", ElementState::injective, true};
     }
   }

@@ -1,5 +1,7 @@
 #include "bezcert/criterion/coefficients.hpp"
 
+#include "bezcert/element/jacobian_tree.hpp"
+
 namespace bezcert {
 
 Verdict coefficients(const Forms& forms) {

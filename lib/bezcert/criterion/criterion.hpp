@@ -6,18 +6,13 @@
 
 #include "bezcert/criterion/quick_net.hpp"
 #include "bezcert/element/forms.hpp"
-#include "bezcert/proof/verdict.hpp"
+#include "bezcert/verdict/criterion_verdict.hpp"
 
 #include <optional>
 #include <span>
 #include <string_view>
 
 namespace bezcert {
-
-/// Whether the theorem is proven in docs/criteria.md (`sound`) or only published (`claimed`).
-enum class Standing { sound, claimed };
-
-std::string_view name(Standing standing);
 
 using Check = Verdict (*)(const Forms&);
 /// The status alone, or nothing if this net does not tell it.

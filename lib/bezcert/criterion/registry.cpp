@@ -17,8 +17,6 @@ constexpr std::array all_criteria = {
 
 }  // namespace
 
-std::string_view name(Standing standing) { return standing == Standing::sound ? "sound" : "claimed"; }
-
 std::span<const Criterion> criteria() { return all_criteria; }
 
 const Criterion* find_criterion(std::string_view name) {

@@ -172,7 +172,7 @@ class Search {
     AlgebraicContact found =
         contact_by_algebra(a_.exact(DyadicCurve::whole), b_.exact(DyadicCurve::whole), itself, joints,
                            merged(std::move(strips_s)), merged(std::move(strips_t)), budget_.algebra_bits);
-    if (!found.exhausted.empty()) return {ContactStatus::open, {}, std::move(found.exhausted)};
+    if (found.exceeded) return {ContactStatus::open, {}, found.exceeded};
     if (found.contact) return {ContactStatus::contact, std::move(found.contact), {}};
     return {ContactStatus::none, {}, {}};
   }

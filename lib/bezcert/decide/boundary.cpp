@@ -48,7 +48,8 @@ BoundaryResult examine_boundary(const Forms& forms, const ContactBudget& budget)
           {}};
     } else if (found.status == ContactStatus::open) {
       result.status = BoundaryStatus::open;
-      result.exhausted = std::move(found.exhausted);
+      result.exhausted = ExhaustedBudget{ExhaustedBudget::Limit::contact_bits, found.exceeded->allowed,
+                                         found.exceeded->needed};
     }
     return result.status == BoundaryStatus::overlapping;
   };

@@ -1,6 +1,9 @@
 #include "bezcert/decide/decide.hpp"
 
+#include "bezcert/decide/algebraic.hpp"
+#include "bezcert/decide/boundary.hpp"
 #include "bezcert/decide/injectivity.hpp"
+#include "bezcert/element/jacobian_tree.hpp"
 
 #include <algorithm>
 
@@ -23,11 +26,11 @@ class SignSearch {
     while (done_ < open_.size() && !folded()) {
       const JacobianTree::Piece piece = open_[done_];
       if (tree_.depth(piece) >= budget_.depth) {
-        exhausted_ = "subdivision depth " + std::to_string(budget_.depth);
+        exhausted_ = {ExhaustedBudget::Limit::depth, static_cast<std::size_t>(budget_.depth)};
       } else if (!tree_.may_split(pieces)) {
-        exhausted_ = tree_.piece_count() + 2 > pieces ? "subdivision pieces " + std::to_string(pieces)
-                                                      : "subdivision bits " + std::to_string(max_tree_bits) +
-                                                            " (the numbers are too long)";
+        exhausted_ = tree_.piece_count() + 2 > pieces
+                         ? ExhaustedBudget{ExhaustedBudget::Limit::pieces, pieces}
+                         : ExhaustedBudget{ExhaustedBudget::Limit::memory_bits, max_tree_bits};
       } else {
         const auto [first, second] = tree_.split(piece);
         visit(first);
@@ -44,7 +47,8 @@ class SignSearch {
   const std::optional<CornerOfPiece>& negative() const { return negative_; }
   const std::optional<CornerOfPiece>& zero() const { return zero_; }
   const std::optional<CornerOfPiece>& positive() const { return positive_; }
-  const std::string& exhausted() const { return exhausted_; }
+  /// Precondition: not settled.
+  const ExhaustedBudget& exhausted() const { return exhausted_; }
   const JacobianTree& tree() const { return tree_; }
 
   // Cuts pieces whose smallest coefficient is 0 although N > 0 there, so that the lower bound says so too.
@@ -116,7 +120,7 @@ class SignSearch {
   std::vector<JacobianTree::Piece> open_;       // in breadth-first order; the first done_ are split
   std::size_t done_ = 0;
   std::optional<CornerOfPiece> negative_, zero_, positive_;
-  std::string exhausted_;
+  ExhaustedBudget exhausted_;
 };
 
 ElementVerdict verdict_of(const SignSearch& search) {
@@ -164,14 +168,13 @@ void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearc
   }
   const int met = some_sign(search, n);
   AlgebraicSigns signs = algebraic_signs(n, -met, search.strips(0), search.strips(1), budget.algebra_bits);
-  if (!signs.exhausted.empty()) {
-    decision.open = "budget: " + signs.exhausted;
+  if (signs.exhausted) {
+    decision.exhausted = {*signs.exhausted};
     return;
   }
   decision.zero = std::move(signs.zero);
   if (!open) return;
-  decision.open.clear();
-  decision.sign_proof = "algebra";
+  decision.sign_proof = SignProof::algebra;
   const auto witness_at = [&](const std::array<Rational, 2>& uv, int expected) {
     return checked_witness(element, parameter_of(element, uv), expected);
   };
@@ -217,6 +220,16 @@ PlanarPoint point_of(const Parameter& parameter) {
   return {rational_root(parameter[first]), rational_root(parameter[first + 1])};
 }
 
+// The zero set of a degenerate element. A zero at a corner of a piece is the better evidence.
+void describe_zeros(const Forms& forms, const Budget& budget, const SignSearch& search, Decision& decision) {
+  if (!decision.zero && budget.algebra_bits > 0) {
+    decide_by_algebra(forms, budget, search, decision);
+    decision.exhausted.clear();  // the verdict is not open
+  }
+  if (decision.zero && decision.witness) decision.zero->at = point_of(decision.witness->parameter);
+  if (!decision.zero) decision.zero = AlgebraicZero{point_of(decision.witness->parameter), -1};
+}
+
 // The bounds of the subdivision, with what algebra knows.
 void tighten(Decision& decision) {
   DeterminantBounds& bounds = decision.bounds;
@@ -238,51 +251,26 @@ void tighten(Decision& decision) {
 
 // From regular to injective or overlapping, if a proof or an overlap is found.
 void decide_injectivity(const Forms& forms, const Budget& budget, Decision& decision) {
-  if (const auto proof = prove_injective(forms)) {
+  decision.injectivity_proof = prove_injective(forms);
+  if (decision.injectivity_proof != InjectivityProof::none) {
     decision.verdict = ElementVerdict::injective;
-    decision.injectivity_proof = *proof;
     return;
   }
   BoundaryResult boundary = examine_boundary(forms, budget.contact);
   switch (boundary.status) {
     case BoundaryStatus::simple:
       decision.verdict = ElementVerdict::injective;
-      decision.injectivity_proof = "boundary";
+      decision.injectivity_proof = InjectivityProof::boundary;
       return;
     case BoundaryStatus::overlapping:
       decision.verdict = ElementVerdict::overlapping;
       decision.overlap = std::move(boundary.overlap);
       return;
-    case BoundaryStatus::open:
-      decision.open = "budget: " + boundary.exhausted + " (det J > 0, injectivity open)";
-      return;
+    case BoundaryStatus::open: decision.exhausted = {*boundary.exhausted}; return;
   }
 }
 
 }  // namespace
-
-std::string_view name(ElementVerdict verdict) {
-  switch (verdict) {
-    case ElementVerdict::injective: return "injective";
-    case ElementVerdict::regular: return "regular";
-    case ElementVerdict::overlapping: return "overlapping";
-    case ElementVerdict::degenerate: return "degenerate";
-    case ElementVerdict::folded: return "folded";
-    case ElementVerdict::reversed: return "reversed";
-    case ElementVerdict::undecided: return "undecided";
-  }
-  return "";
-}
-
-bool is_regular(ElementVerdict verdict) {
-  return verdict == ElementVerdict::injective || verdict == ElementVerdict::regular ||
-         verdict == ElementVerdict::overlapping;
-}
-
-bool is_invalid(ElementVerdict verdict) {
-  return verdict == ElementVerdict::overlapping || verdict == ElementVerdict::degenerate ||
-         verdict == ElementVerdict::folded || verdict == ElementVerdict::reversed;
-}
 
 Decision decide(const Forms& forms, const Budget& budget) {
   SignSearch search(forms, budget);
@@ -292,35 +280,25 @@ Decision decide(const Forms& forms, const Budget& budget) {
   if (decision.verdict == ElementVerdict::undecided && budget.algebra_bits > 0) {
     decide_by_algebra(forms, budget, search, decision);
   }
-  std::string algebra_exhausted = std::move(decision.open);
   if (decision.verdict == ElementVerdict::undecided) {
     search.run(budget.pieces);
     decision.verdict = verdict_of(search);
   }
   decision.pieces = search.tree().piece_count();
-  if (decision.sign_proof.empty())
-    decision.sign_proof = decision.pieces == 1 ? "coefficients" : "subdivision";
+  if (decision.sign_proof != SignProof::algebra && decision.pieces > 1)
+    decision.sign_proof = SignProof::subdivision;
   decision.bounds = search.bounds();
   if (decision.verdict == ElementVerdict::regular && sign(decision.bounds.min_lower) <= 0) {
     search.raise_lower_bound();
     decision.bounds = search.bounds();
   }
   add_witnesses(forms, search, decision);
-  switch (decision.verdict) {
-    case ElementVerdict::undecided:
-      decision.open = "budget: " + search.exhausted();
-      if (!algebra_exhausted.empty()) decision.open += "; " + algebra_exhausted;
-      if (search.negative()) decision.open += " (folded or reversed)";
-      break;
-    case ElementVerdict::degenerate:
-      if (!decision.zero && budget.algebra_bits > 0) decide_by_algebra(forms, budget, search, decision);
-      decision.open.clear();
-      // A zero at a corner of a piece is the better evidence.
-      if (decision.zero && decision.witness) decision.zero->at = point_of(decision.witness->parameter);
-      if (!decision.zero) decision.zero = AlgebraicZero{point_of(decision.witness->parameter), -1};
-      break;
-    default: break;
+  if (decision.verdict == ElementVerdict::undecided) {
+    decision.exhausted.insert(decision.exhausted.begin(), search.exhausted());
+  } else {
+    decision.exhausted.clear();  // what algebra could not tell, more pieces did
   }
+  if (decision.verdict == ElementVerdict::degenerate) describe_zeros(forms, budget, search, decision);
   tighten(decision);
   if (decision.verdict == ElementVerdict::regular) decide_injectivity(forms, budget, decision);
   return decision;

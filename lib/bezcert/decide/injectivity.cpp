@@ -104,12 +104,12 @@ bool derivative_is_affine_on_segments(const Element& element) {
 
 }  // namespace
 
-std::optional<std::string_view> prove_injective(const Forms& forms) {
-  if (derivative_is_affine_on_segments(forms.element())) return "midpoint";
+InjectivityProof prove_injective(const Forms& forms) {
+  if (derivative_is_affine_on_segments(forms.element())) return InjectivityProof::midpoint;
   const RoundingScope scope;
-  if (jacobian_hull(forms, scope)) return "jacobian_hull";
-  if (orientation_condition(forms).status == Status::proved) return "orientation";
-  return std::nullopt;
+  if (jacobian_hull(forms, scope)) return InjectivityProof::jacobian_hull;
+  if (orientation_condition(forms).status == Status::proved) return InjectivityProof::orientation;
+  return InjectivityProof::none;
 }
 
 }  // namespace bezcert

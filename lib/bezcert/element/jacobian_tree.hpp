@@ -9,8 +9,8 @@
 // All signs and bounds here are functions of the exact coefficients; intervals only save the work.
 #pragma once
 
+#include "bezcert/element/determinant_bounds.hpp"
 #include "bezcert/element/forms.hpp"
-#include "bezcert/number/outward.hpp"
 
 #include <array>
 #include <deque>
@@ -24,12 +24,6 @@ struct PieceSigns {
   bool none_negative = false;           ///< every coefficient is >= 0
   bool none_positive = false;           ///< every coefficient is <= 0
   std::array<signed char, 4> corner{};  ///< sign at each corner; corner[3] unused for triangles
-};
-
-/// Proven bounds: min_lower <= min det J <= min_upper, max_lower <= max det J <= max_upper. The inner two are
-/// the extreme values at corners of pieces; the outer two come from the extreme coefficients over the pieces.
-struct DeterminantBounds {
-  Dyadic min_lower, min_upper, max_lower, max_upper;
 };
 
 /// N and W on one piece. The coefficients are those of the whole domain's scale times 2^shift: integers are

@@ -107,7 +107,7 @@ class BoundaryCheck {
   void look_at(EdgeUse a, EdgeUse b) {
     const ContactResult result = find_contact(curve(a), curve(b), joints_of(edges_, gluing_, a, b), budget_);
     if (result.status == ContactStatus::none) return;
-    if (result.status == ContactStatus::open) return open(a, b, result.exhausted);
+    if (result.status == ContactStatus::open) return open(a, b, *result.exceeded);
     const CurveNet<Integer> net_a = edges_.exact(a), net_b = edges_.exact(b);
     if (same_curve(net_a, reversed(net_b))) return coincide(a, b);
     Contact contact = *result.contact;
@@ -151,10 +151,12 @@ class BoundaryCheck {
     obstacles_.add(std::move(obstacle));
   }
 
-  void open(EdgeUse a, EdgeUse b, const std::string& exhausted) {
+  void open(EdgeUse a, EdgeUse b, const ExceededBits& exceeded) {
     MeshObstacle result = obstacle(MeshVerdict::undecided, a, b);
     name_nodes(edges_, {begin(a), end(a), begin(b), end(b)}, result);
-    result.message = "whether " + edge_text(a) + " meets " + edge_text(b) + " is open: " + exhausted;
+    result.message = "whether " + edge_text(a) + " meets " + edge_text(b) + " is open: algebra bits " +
+                     std::to_string(exceeded.allowed) + " (the contact of two edges needs " +
+                     std::to_string(exceeded.needed) + ")";
     add(std::move(result));
   }
 

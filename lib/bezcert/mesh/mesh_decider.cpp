@@ -79,7 +79,6 @@ DecisionCounts MeshDecider::decide_range(std::size_t first, std::size_t last, co
   std::vector<batch::Settled> results(std::min(window, last - first));
   Decision settled;
   settled.verdict = ElementVerdict::injective;
-  settled.sign_proof = "coefficients";
   settled.pieces = 1;
   for (std::size_t begin = first; begin < last; begin += window) {
     const std::size_t end = std::min(begin + window, last);
