@@ -102,8 +102,8 @@ void attack(std::uint64_t seed, int cases) {
     const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
     std::fesetround(mode);
     // The direction that is asked about, in the same doubles.
-    const double x = mesh.x.doubles()[to.back()] - mesh.x.doubles()[from.front()];
-    const double y = mesh.y.doubles()[to.back()] - mesh.y.doubles()[from.front()];
+    const double x = mesh.coordinates(0).doubles()[to.back()] - mesh.coordinates(0).doubles()[from.front()];
+    const double y = mesh.coordinates(1).doubles()[to.back()] - mesh.coordinates(1).doubles()[from.front()];
     const bool one_way = run_one_way(edges, p, q);
     std::fesetround(FE_TONEAREST);
     const Rational dx = exact(x), dy = exact(y);
