@@ -127,7 +127,7 @@ TEST_CASE("nodes that are no nodes are refused") {
         "node 1: its weight is " + std::string(text) + ", expected a positive finite number";
     CHECK(refusal([&](MeshBuilder& b) { b.add_node({0, 0}), b.add_node({1, 0}, w); }) == expected);
     CHECK(refusal([&](MeshBuilder& b) {
-            b.add_nodes_separate({x, y}, std::vector{1, w, 1, 1});
+            b.add_nodes_separate({x, y}, std::vector{1.0, w, 1.0, 1.0});
           }) == expected);
   }
   CHECK(refusal([&](MeshBuilder& b) {

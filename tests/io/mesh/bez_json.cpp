@@ -23,7 +23,7 @@ Mesh read_element(const std::string& members, const std::string& more = "") {
 
 // x of the second point of a triangle of degree 1, given as a JSON value.
 Rational read_number(const std::string& json) {
-  return read_element("\"kind\":\"triangle\",\"degree\":1,\"points\":[[0,0],[" + json + ",0],[0,1]]").x[1];
+  return read_element("\"kind\":\"triangle\",\"degree\":1,\"points\":[[0,0],[" + json + ",0],[0,1]]").coordinates(0)[1];
 }
 
 Rational ten_to(int exponent) { return power(Rational(10), exponent); }
@@ -186,7 +186,7 @@ TEST_CASE("bez.json degrees from 1 to 64 in each direction") {
   }
   std::string points;
   for (int i = 0; i < 65 * 66 / 2; ++i) points += (i > 0 ? ",[0," : "[0,") + std::to_string(i) + "]";
-  CHECK(read_element("\"kind\":\"triangle\",\"degree\":64,\"points\":[" + points + "]").x.size() == 2145);
+  CHECK(read_element("\"kind\":\"triangle\",\"degree\":64,\"points\":[" + points + "]").node_count() == 2145);
   CHECK(seen == 5);
 }
 

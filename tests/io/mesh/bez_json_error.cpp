@@ -252,7 +252,7 @@ TEST_CASE("bez.json that is no JSON is refused") {
   }
   for (const std::string& empty : {std::string(), std::string(" \n\r\n\t")})
     require_refused(empty, "the file is empty", 0);
-  CHECK_THROWS_AS(read_bez_json("f", "[1]"), InputError);
+  CHECK_THROWS_AS(read_bez_json("f", "[1]", {}), InputError);
 }
 
 TEST_CASE("bez.json nested too deep is refused, however deep") {
