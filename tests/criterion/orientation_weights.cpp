@@ -2,6 +2,7 @@
 // weights are drawn anew from 1/1000 to 1000.
 #include "bezcert/criterion/orientation.hpp"
 
+#include "bezcert/decide/boundary.hpp"
 #include "bezcert/decide/decide.hpp"
 #include "random_element.hpp"
 

@@ -33,7 +33,7 @@ TEST_CASE("points inside a curve, at its ends and off it") {
   CHECK(rational_parameters(line, {Rational(1, 4), Rational(1, 4)}, Rational(1, 2)).empty());
 }
 
-TEST_CASE("curves that have a piece in common") {
+TEST_CASE("whether a piece of one curve runs along another") {
   CHECK(run_together(parabola, part_of(parabola, Rational(1, 2), 2)));
   CHECK(run_together(parabola, reversed(part_of(parabola, -1, Rational(1, 2)))));
   CHECK_FALSE(run_together(parabola, part_of(parabola, 1, 2)));  // one point

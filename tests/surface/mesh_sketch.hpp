@@ -7,7 +7,6 @@
 
 #include <array>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -111,15 +110,15 @@ class MeshSketch {
   /// `by_nodes`.
   Mesh build(bool by_nodes = true, const std::vector<std::size_t>& order = {}) const {
     MeshParts mesh;
-    mesh.glued_by_nodes() = by_nodes;
+    mesh.glued_by_nodes = by_nodes;
     bool weighted = false;
     for (const Rational& w : w_) weighted = weighted || w != 1;
     std::vector<Node> used;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
       const auto& [shape, nodes] = elements_[order.empty() ? i : order[i]];
-      mesh.elements().push_back({shape, Basis::bernstein, mesh.connectivity().size()});
+      mesh.elements.push_back({shape, Basis::bernstein, mesh.connectivity.size()});
       for (const Node one : nodes) {
-        mesh.connectivity().push_back(by_nodes ? one : static_cast<Node>(used.size()));
+        mesh.connectivity.push_back(by_nodes ? one : static_cast<Node>(used.size()));
         used.push_back(one);
       }
     }
@@ -128,9 +127,9 @@ class MeshSketch {
       for (Node i = 0; i < x_.size(); ++i) used.push_back(i);
     }
     for (const Node one : used) {
-      mesh.coordinates(0).push_back(x_[one]);
-      mesh.coordinates(1).push_back(y_[one]);
-      if (weighted) mesh.weights().push_back(w_[one]);
+      mesh.x.push_back(x_[one]);
+      mesh.y.push_back(y_[one]);
+      if (weighted) mesh.weights.push_back(w_[one]);
     }
     return mesh.build();
   }
@@ -167,7 +166,7 @@ struct Examined : MeshResult {
 inline Examined examine(Mesh given) {
   const auto mesh = std::make_shared<const Mesh>(std::move(given));
   std::vector<ElementState> states;
-  for (std::size_t i = 0; i < mesh->elements.size(); ++i) {
+  for (std::size_t i = 0; i < mesh->elements().size(); ++i) {
     const Element element = mesh->element(i);
     const ElementVerdict verdict = decide(Forms(element)).verdict;
     states.push_back(verdict == ElementVerdict::injective ? ElementState::injective
