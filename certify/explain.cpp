@@ -1,20 +1,32 @@
-#include "explain.hpp"
-
+// certify explain: everything known of one element.
+#include "bezcert/check/cross_check.hpp"
 #include "bezcert/criterion/subdivision.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/number/parse.hpp"
+#include "bezcert/report/decision_text.hpp"
+#include "bezcert/report/mesh_text.hpp"
+#include "bezcert/report/text_report.hpp"
 #include "exit_code.hpp"
-#include "mesh_text.hpp"
-#include "report.hpp"
+#include "options.hpp"
+#include "subcommand.hpp"
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 
 namespace bezcert::certify {
 namespace {
 
-std::size_t find_element(const Mesh& mesh, const ExplainOptions& options) {
+struct ExplainArguments {
+  std::string mesh;
+  /// Its number in the file (place from 1 where the format has no numbers), or its name.
+  std::string element;
+  ReadOptions read;
+  Budget budget;
+};
+
+std::size_t find_element(const Mesh& mesh, const ExplainArguments& options) {
   for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     if (std::to_string(mesh.origin().number(i)) == options.element) return i;
   }
@@ -148,8 +160,8 @@ void print_mesh_obstacles(const Mesh& mesh, std::size_t index, const CheckedElem
   std::cout << "in the mesh\n";
   std::size_t listed = 0;
   for (const MeshObstacle& obstacle : result.obstacles.all()) {
-    if (obstacle.kind == MeshVerdict::invalid_element) continue;  // said above of this one
-    std::cout << "  " << name(obstacle.kind) << ": " << describe(obstacle) << '\n';
+    if (obstacle.kind() == MeshVerdict::invalid_element) continue;  // said above of this one
+    std::cout << "  " << name(obstacle.kind()) << ": " << describe(mesh, obstacle) << '\n';
     ++listed;
   }
   if (listed == 0) std::cout << "  no obstacle names this element\n";
@@ -168,15 +180,12 @@ int exit_code_of(const CheckedElement& checked) {
   return checked.decision.verdict == ElementVerdict::injective ? exit_certified : exit_undecided;
 }
 
-}  // namespace
-
-int explain(const ExplainOptions& options) {
+// The exit code that `check` would give for this element.
+int explain(const ExplainArguments& options) {
   const Mesh mesh = read_mesh(options.mesh, read_file(options.mesh), options.read);
   const std::size_t index = find_element(mesh, options);
   const Element element = mesh.element(index);
-  std::vector<const Criterion*> all;
-  for (const Criterion& criterion : criteria()) all.push_back(&criterion);
-  const CheckedElement checked = check_element(element, all, options.budget);
+  const CheckedElement checked = check_element(element, all_criteria(), options.budget);
   const Decision& decision = checked.decision;
   const Forms forms(element);
 
@@ -202,6 +211,21 @@ int explain(const ExplainOptions& options) {
   print_criteria(checked);
   print_mesh_obstacles(mesh, index, checked, options.budget);
   return exit_code_of(checked);
+}
+
+}  // namespace
+
+Run add_explain(CLI::App& command) {
+  const auto arguments = std::make_shared<ExplainArguments>();
+  command.add_option("MESH", arguments->mesh, "mesh file")->required();
+  command
+      .add_option("--element", arguments->element,
+                  "its number in the file (.bez.json: its place, from 1) or its name")
+      ->required()
+      ->option_text("N");
+  add_read_options(command, arguments->read);
+  add_budget(command, arguments->budget);
+  return [arguments] { return explain(*arguments); };
 }
 
 }  // namespace bezcert::certify

@@ -2,9 +2,9 @@
 // but for rounding, elements far from the origin, of all sizes, and elements that a block only just settles.
 #pragma once
 
-#include "bezcert/mesh/mesh_decider.hpp"
-#include "mesh_parts.hpp"
+#include "bezcert/check/mesh_decider.hpp"
 #include "random_input.hpp"
+#include "mesh_parts.hpp"
 
 #include <cmath>
 #include <functional>
@@ -22,14 +22,14 @@ inline void append(MeshParts& mesh, const DoubleNet& net) {
   MeshElement element;
   element.shape = net.shape;
   element.basis = net.basis;
-  element.first_node = mesh.connectivity.size();
+  element.first_node = mesh.connectivity().size();
   for (std::size_t i = 0; i < net.x.size(); ++i) {
-    mesh.connectivity.push_back(static_cast<std::uint32_t>(mesh.x.size()));
-    mesh.x.push_back(net.x[i]);
-    mesh.y.push_back(net.y[i]);
-    if (!net.w.empty()) mesh.weights.push_back(net.w[i]);
+    mesh.connectivity().push_back(static_cast<std::uint32_t>(mesh.coordinates(0).size()));
+    mesh.coordinates(0).push_back(net.x[i]);
+    mesh.coordinates(1).push_back(net.y[i]);
+    if (!net.w.empty()) mesh.weights().push_back(net.w[i]);
   }
-  mesh.elements.push_back(element);
+  mesh.elements().push_back(element);
 }
 
 inline Mesh mesh_of(const DoubleNet& net) {

@@ -121,7 +121,6 @@ DyadicCurve build(const Curve& c, bool with_intervals) {
   fill(c.w, exact.w);
   std::optional<CurveNet<Interval>> interval;
   if (with_intervals) {
-    const RoundingScope scope;
     interval.emplace();
     for (const Integer& x : exact.x) interval->x.push_back(to_interval(x));
     for (const Integer& x : exact.y) interval->y.push_back(to_interval(x));

@@ -2,7 +2,7 @@
 //
 // An element that comes out settled is injective, and every field of its Decision is known: the sign is
 // proved by the "coefficients" of the whole domain, injectivity by the named proof, and the bounds of det J
-// are the grid points (number/outward.hpp) that the exact extremes round to. All three are functions of the
+// are the grid points (number/dyadic.hpp) that the exact extremes round to. All three are functions of the
 // exact element: the same element decided with intervals or integers gives the same answer. What is not
 // settled is open.
 #pragma once

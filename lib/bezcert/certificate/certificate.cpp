@@ -111,24 +111,42 @@ ElementClaim claim_of(const Mesh& mesh, std::size_t i, const Decision& decision)
   return claim_of(mesh.element(i), decision);
 }
 
-CertificateWriter::CertificateWriter(std::ostream& stream, const CertificateHeader& header)
-    : stream_(stream), count_(header.count) {
-  stream_ << "bezcert-certificate 1\nelements " << header.elements_sha256 << "\nbasis " << header.basis
-          << "\nnumbers " << (header.numbers == Numbers::binary64 ? "binary64" : "decimal") << "\ncount "
-          << count_ << '\n';
-  claims_.reserve(count_);
+class CertificateWriter::BlockOfClaims : public Block {
+ public:
+  explicit BlockOfClaims(CertificateWriter& writer) : writer_(writer) {}
+
+  void element(std::size_t i, const CheckedElement& checked) override {
+    claims_.push_back(claim_of(*writer_.mesh_, i, checked.decision));
+  }
+  void finish() override {
+    for (const ElementClaim& claim : claims_) {
+      writer_.claims_.push_back(claim.state);
+      if (!claim.full) ++writer_.without_evidence_;
+      writer_.stream_ << writer_.claims_.size() << ' ' << claim.text << '\n';
+    }
+    claims_.clear();
+  }
+
+ private:
+  CertificateWriter& writer_;
+  std::vector<ElementClaim> claims_;
+};
+
+void CertificateWriter::begin(const Mesh& mesh) {
+  mesh_ = &mesh;
+  claims_.clear();
+  claims_.reserve(mesh.elements().size());
+  without_evidence_ = 0;
+  stream_ << "bezcert-certificate 1\nelements " << header_.elements_sha256 << "\nbasis " << header_.basis
+          << "\nnumbers " << name(header_.numbers) << "\ncount " << mesh.elements().size() << '\n';
 }
 
-void CertificateWriter::element(const ElementClaim& claim) {
-  if (claims_.size() == count_) throw std::logic_error("certificate: more elements than its header says");
-  claims_.push_back(claim.state);
-  if (!claim.full) ++without_evidence_;
-  stream_ << claims_.size() << ' ' << claim.text << '\n';
+std::unique_ptr<CheckObserver::Block> CertificateWriter::new_block() {
+  return std::make_unique<BlockOfClaims>(*this);
 }
 
-void CertificateWriter::mesh(const Mesh& mesh, const MeshResult& result) {
-  if (claims_.size() != count_) throw std::logic_error("certificate: fewer elements than its header says");
-  if (!write_mesh_evidence(stream_, mesh, result, claims_)) ++without_evidence_;
+void CertificateWriter::end(const Mesh& mesh, const MeshReport& report) {
+  if (!write_mesh_evidence(stream_, report.mesh, claims_)) ++without_evidence_;
   stream_ << "end\n";
 }
 

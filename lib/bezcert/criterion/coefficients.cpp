@@ -6,9 +6,8 @@ namespace bezcert {
 
 Verdict coefficients(const Forms& forms) {
   Verdict verdict = begin_verdict(coefficients_info, Status::inconclusive);
-  const RoundingScope scope;
   JacobianTree tree(forms);
-  const PieceSigns signs = tree.signs(scope, JacobianTree::root);
+  const PieceSigns signs = tree.signs(JacobianTree::root);
   if (tree.proves_positive(signs)) {
     verdict.status = Status::proved;
     return verdict;

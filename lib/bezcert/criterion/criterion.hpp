@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace bezcert {
 
@@ -44,6 +45,9 @@ inline Verdict begin_verdict(const Criterion& criterion, Status status) {
 
 /// All criteria, in the order of reports.
 std::span<const Criterion> criteria();
+
+/// The same, as choices (CheckOptions::criteria).
+std::vector<const Criterion*> all_criteria();
 
 /// The criterion of that name, or nullptr.
 const Criterion* find_criterion(std::string_view name);

@@ -66,16 +66,16 @@ class Search {
   DeterminantBounds bounds() {
     std::vector<JacobianTree::Piece> pieces;
     for (const Leaf& leaf : leaves_) pieces.push_back(leaf.piece);
-    return tree_.bounds(scope_, pieces, bits_);
+    return tree_.bounds(pieces, bits_);
   }
 
  private:
   void add(JacobianTree::Piece piece) {
-    const PieceSigns signs = tree_.signs(scope_, piece);
+    const PieceSigns signs = tree_.signs(piece);
     for (std::size_t k = 0; k < tree_.corner_count() && !witness_; ++k) {
       if (signs.corner[k] <= 0) witness_ = tree_.corner(piece, k);
     }
-    const DeterminantBounds bounds = tree_.bounds(scope_, {&piece, 1}, bits_);
+    const DeterminantBounds bounds = tree_.bounds({&piece, 1}, bits_);
     leaves_.push_back({piece, tree_.proves_positive(signs), to_rational(bounds.min_lower),
                        to_rational(bounds.min_upper), to_rational(bounds.max_lower),
                        to_rational(bounds.max_upper)});
@@ -109,7 +109,6 @@ class Search {
 
   const SubdivisionOptions& options_;
   int bits_;
-  RoundingScope scope_;
   JacobianTree tree_;
   std::vector<Leaf> leaves_;
   std::optional<Parameter> witness_;

@@ -68,7 +68,7 @@ class Search {
 
   template <class Predicate>
   bool holds(Piece a, Piece b, Predicate predicate) {
-    return filtered(scope_, a_, a, b_, b, predicate);
+    return filtered(a_, a, b_, b, predicate);
   }
 
   bool settled(const Task& task) {
@@ -177,7 +177,6 @@ class Search {
     return {ContactStatus::none, {}, {}};
   }
 
-  RoundingScope scope_;
   DyadicCurve& a_;
   DyadicCurve& b_;
   const ContactBudget& budget_;

@@ -55,7 +55,7 @@ class SignSearch {
   // Precondition: det J > 0 is proved. Ends because the coefficients converge to N.
   void raise_lower_bound() {
     for (std::size_t i = 0; i < settled_.size() && tree_.may_split(budget_.pieces);) {
-      if (sign(tree_.bounds(scope_, {&settled_[i], 1}).min_lower) > 0) {
+      if (sign(tree_.bounds({&settled_[i], 1}).min_lower) > 0) {
         ++i;
         continue;
       }
@@ -86,12 +86,12 @@ class SignSearch {
   DeterminantBounds bounds() {
     std::vector<JacobianTree::Piece> leaves(settled_);
     leaves.insert(leaves.end(), open_.begin() + static_cast<std::ptrdiff_t>(done_), open_.end());
-    return tree_.bounds(scope_, leaves);
+    return tree_.bounds(leaves);
   }
 
  private:
   void visit(JacobianTree::Piece piece) {
-    const PieceSigns signs = tree_.signs(scope_, piece);
+    const PieceSigns signs = tree_.signs(piece);
     bool corner_is_zero = false;
     for (std::size_t k = 0; k < tree_.corner_count(); ++k) {
       auto& slot = signs.corner[k] < 0 ? negative_ : signs.corner[k] == 0 ? zero_ : positive_;
@@ -113,7 +113,6 @@ class SignSearch {
   }
 
   const Budget& budget_;
-  RoundingScope scope_;
   JacobianTree tree_;
   std::vector<JacobianTree::Piece> settled_;
   std::vector<JacobianTree::Piece> with_zero_;  // those settled ones where N vanishes

@@ -58,7 +58,7 @@ class JacobianTree {
   std::pair<Piece, Piece> split(Piece piece);
 
   /// The exact signs of the coefficients on a piece.
-  PieceSigns signs(const RoundingScope& scope, Piece piece);
+  PieceSigns signs(Piece piece);
 
   /// Whether `signs` proves det J > 0 (or < 0) on the whole closed piece.
   bool proves_positive(const PieceSigns& signs) const;
@@ -69,7 +69,7 @@ class JacobianTree {
 
   /// Bounds of det J over the union of the given pieces, rounded outwards to `bits` bits (outward.hpp).
   /// Precondition: `pieces` is not empty.
-  DeterminantBounds bounds(const RoundingScope& scope, std::span<const Piece> pieces, int bits = report_bits);
+  DeterminantBounds bounds(std::span<const Piece> pieces, int bits = report_bits);
 
  private:
   struct Node {
@@ -84,12 +84,11 @@ class JacobianTree {
 
   template <class T>
   static std::optional<PieceForm<T>>& slot(Node& node);
-  template <class T>
-  const PieceForm<T>& form(Piece piece);
-  template <class T>
-  PieceForm<T> root_form() const;
-  template <class T>
-  Extremes<T> extremes(std::span<const Piece> pieces);
+  // Witness: a RoundUp for intervals, nothing for integers.
+  template <class T, class... Witness>
+  const PieceForm<T>& form(Piece piece, const Witness&... up);
+  template <class T, class... Witness>
+  Extremes<T> extremes(std::span<const Piece> pieces, const Witness&... up);
 
   const Forms& forms_;
   std::size_t corner_count_;

@@ -85,7 +85,7 @@ ScaledIntegers common_coordinates(const ExactVector& x, const ExactVector& y) {
 
 }  // namespace
 
-IntervalNet interval_net(const Element& element) {
+IntervalNet interval_net(const RoundUp&, const Element& element) {
   IntervalNet result;
   Net<Interval>& net = result.net;
   net.shape = element.shape();
@@ -98,7 +98,7 @@ IntervalNet interval_net(const Element& element) {
   if (element.rational()) {
     net.w.reserve(element.weights().size());
     for (std::size_t i = 0; i < element.weights().size(); ++i) {
-      net.w.push_back(element.weights().interval(i));
+      net.w.push_back(interval_at(element.weights(), i));
     }
     multiply_all(net.w, normalizing_factor(largest_magnitude(net.w)));
     make_homogeneous(net);

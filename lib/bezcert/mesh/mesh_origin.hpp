@@ -15,6 +15,10 @@ namespace bezcert {
 /// What text coordinates mean: the nearest double, or their exact decimal value.
 enum class Numbers { binary64, decimal };
 
+inline std::string_view name(Numbers numbers) {
+  return numbers == Numbers::binary64 ? "binary64" : "decimal";
+}
+
 /// Cells that are no triangles or quadrilaterals, by dimension: not looked at, but counted.
 struct IgnoredCells {
   std::size_t points = 0;

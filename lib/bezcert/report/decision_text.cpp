@@ -36,7 +36,9 @@ std::string zero_text(const AlgebraicZero& zero) {
   }
 }
 
-std::string exhausted_text(const ExhaustedBudget& budget) {
+}  // namespace
+
+std::string text_of(const ExhaustedBudget& budget) {
   using Limit = ExhaustedBudget::Limit;
   const std::string allowed = std::to_string(budget.allowed), needed = std::to_string(budget.needed);
   switch (budget.limit) {
@@ -55,12 +57,10 @@ std::string exhausted_text(const ExhaustedBudget& budget) {
   return "";
 }
 
-}  // namespace
-
 std::string open_text(const Decision& decision) {
   std::string text;
   for (const ExhaustedBudget& budget : decision.exhausted) {
-    text += (text.empty() ? "budget: " : "; budget: ") + exhausted_text(budget);
+    text += (text.empty() ? "budget: " : "; budget: ") + text_of(budget);
   }
   if (decision.verdict == ElementVerdict::regular) text += " (det J > 0, injectivity open)";
   if (decision.verdict == ElementVerdict::undecided && decision.witness &&

@@ -14,4 +14,7 @@ std::string describe(const Decision& decision);
 /// text.
 std::string open_text(const Decision& decision);
 
+/// "subdivision pieces 4096".
+std::string text_of(const ExhaustedBudget& budget);
+
 }  // namespace bezcert

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bezcert/io/bez_json_values.hpp"
-#include "bezcert/mesh/input_curve.hpp"
+#include "bezcert/curve/input_curve.hpp"
 
 #include <string>
 #include <string_view>
