@@ -17,10 +17,10 @@ Rational read_x(const std::string& text, Numbers numbers) {
   const ReadOptions options{Basis::lagrange, numbers};
   const Mesh two = read_mesh("2.2", replaced(tiny_22a, "2 1.5 0.25 0", "2 " + text + " 0.25 0"), options);
   const Mesh four = read_mesh("4.1", replaced(tiny_41a, "\n1.5 0.25 0", "\n" + text + " 0.25 0"), options);
-  REQUIRE(two.x[1] == four.x[1]);
-  CHECK(two.numbers == numbers);
-  CHECK(four.numbers == numbers);
-  return two.x[1];
+  REQUIRE(two.coordinates(0)[1] == four.coordinates(0)[1]);
+  CHECK(two.origin().numbers == numbers);
+  CHECK(four.origin().numbers == numbers);
+  return two.coordinates(0)[1];
 }
 
 Rational ten_to_minus(int exponent) { return Rational(1) / power(Rational(10), exponent); }

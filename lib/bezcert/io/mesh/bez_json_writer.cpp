@@ -8,7 +8,7 @@ namespace bezcert {
 namespace {
 
 // A text as JSON. Names may hold any bytes: what is no UTF-8 is replaced, not thrown at.
-std::string quoted(std::string_view text) {
+std::string json_text(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -54,8 +54,8 @@ void write_own_points(std::ostream& stream, const Element& element) {
 void write_bez_json(std::ostream& stream, const Element& element, const std::string& name,
                     const std::string& source) {
   stream << "{\"bezcert\": 1, \"elements\": [\n {";
-  if (!name.empty()) stream << "\"name\": " << quoted(name) << ", ";
-  if (!source.empty()) stream << "\"source\": " << quoted(source) << ",\n  ";
+  if (!name.empty()) stream << "\"name\": " << json_text(name) << ", ";
+  if (!source.empty()) stream << "\"source\": " << json_text(source) << ",\n  ";
   stream << shape_text(element.shape(), element.basis());
   write_own_points(stream, element);
   stream << "}\n]}\n";
@@ -80,7 +80,7 @@ void write_bez_json(std::ostream& stream, const Mesh& mesh) {
     const MeshElement& entry = mesh.elements()[i];
     stream << (i > 0 ? ",\n{" : "{");
     if (const std::string_view name = mesh.origin().name(i); !name.empty())
-      stream << "\"name\": " << quoted(name) << ", ";
+      stream << "\"name\": " << json_text(name) << ", ";
     stream << shape_text(entry.shape, entry.basis);
     if (mesh.glued_by_nodes()) {
       stream << ", \"nodes\": [";
