@@ -17,6 +17,7 @@
 #include <sstream>
 
 using namespace bezcert;
+using test::MeshParts;
 
 namespace {
 

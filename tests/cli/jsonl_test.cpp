@@ -51,8 +51,8 @@ void check_header(const MeshReport& report, const std::string& file, const Mesh&
   CHECK(report.header["tool"].get<std::string>().starts_with("bezcert "));
   CHECK(report.header["input"] == file);
   CHECK(report.header["sha256"] == sha256(read_file(file)));
-  CHECK(report.header["basis"] == mesh.basis_name);
-  CHECK(report.header["numbers"] == (mesh.numbers == Numbers::decimal ? "decimal" : "binary64"));
+  CHECK(report.header["basis"] == mesh.origin().basis_name);
+  CHECK(report.header["numbers"] == (mesh.origin().numbers == Numbers::decimal ? "decimal" : "binary64"));
 }
 
 // docs/report.md: `name` if the file names it, `zero` if degenerate, `overlap` if overlapping, `open` if
@@ -75,9 +75,10 @@ void check_keys(const Json& element, bool named) {
 
 // What the file says of an element.
 void check_identity(const Json& object, const Mesh& mesh, std::size_t i, const Element& element) {
-  const MeshElement& entry = mesh.elements[i];
-  CHECK(object["element"] == entry.tag);
-  CHECK(object["line"] == (entry.line > 0 ? Json(entry.line) : Json(nullptr)));
+  const MeshElement& entry = mesh.elements()[i];
+  CHECK(object["element"] == mesh.origin().number(i));
+  const std::uint32_t line = mesh.origin().line(i);
+  CHECK(object["line"] == (line > 0 ? Json(line) : Json(nullptr)));
   CHECK(object["rational"] == element.rational());
   if (element.is_triangle()) {
     CHECK(object["kind"] == "triangle");
@@ -86,7 +87,7 @@ void check_identity(const Json& object, const Mesh& mesh, std::size_t i, const E
     CHECK(object["kind"] == "quadrilateral");
     CHECK(object["degree"] == Json({entry.shape.p, entry.shape.q}));
   }
-  if (object.contains("name")) CHECK(object["name"] == mesh.names[i]);
+  if (object.contains("name")) CHECK(object["name"] == std::string(mesh.origin().name(i)));
 }
 
 bool in_domain(const Element& element, const Parameter& parameter) {
@@ -238,7 +239,7 @@ void check_summary(const MeshReport& report, const Mesh& mesh) {
   }
   CHECK(summary["seconds"].is_number());
   CHECK(summary["seconds"].get<double>() >= 0);
-  if (summary.contains("ignored")) CHECK(summary["ignored"]["lines"] == mesh.ignored.lines);
+  if (summary.contains("ignored")) CHECK(summary["ignored"]["lines"] == mesh.origin().ignored.lines);
 }
 
 struct Counts {
@@ -256,12 +257,12 @@ Counts check_reports(const std::vector<std::string>& files, const std::vector<Me
     INFO(files[f]);
     const Mesh mesh = read_mesh(files[f], read_file(files[f]));
     check_header(reports[f], files[f], mesh);
-    REQUIRE(reports[f].elements.size() == mesh.elements.size());
-    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    REQUIRE(reports[f].elements.size() == mesh.elements().size());
+    for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
       const Json& object = reports[f].elements[i];
       INFO("element in place " << i << ": " << object.dump());
       const Element element = mesh.element(i);
-      check_keys(object, i < mesh.names.size() && !mesh.names[i].empty());
+      check_keys(object, !mesh.origin().name(i).empty());
       check_identity(object, mesh, i, element);
       check_evidence(object, element, random);
       check_agreement(object);

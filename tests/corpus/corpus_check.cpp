@@ -7,6 +7,7 @@
 #include "bezcert/criterion/subdivision.hpp"
 #include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
+#include "bezcert/io/curve/bez_json.hpp"
 #include "bezcert/io/mesh/read.hpp"
 #include "bezcert/surface/domain.hpp"
 #include "bezcert/surface/embedding.hpp"

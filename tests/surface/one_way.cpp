@@ -55,7 +55,7 @@ Mesh two_edges(Random& random) {
     const Basis basis = random.chance(50) ? Basis::lagrange : Basis::bernstein;
     const std::vector<double> values = rising(random, n);
     const Shape shape{Domain::triangle, n, 0};
-    const std::size_t first = mesh.coordinates(0).size();
+    const std::size_t first = mesh.x.size();
     for (std::size_t k = 0; k < coefficient_count(shape); ++k) {
       const int along = std::min(static_cast<int>(k), n);
       const double t = start + (basis == Basis::lagrange ? value_at(values, static_cast<double>(along) / n)
@@ -64,16 +64,16 @@ Mesh two_edges(Random& random) {
         return scale * (origin + t * slope + noise * random.any_double(-1, 1));
       };
       if (element == 1 && k == 0) {
-        const auto joint = static_cast<std::size_t>(mesh.elements()[0].shape.p);
-        mesh.coordinates(0).push_back(double(mesh.coordinates(0).doubles()[joint]));
-        mesh.coordinates(1).push_back(double(mesh.coordinates(1).doubles()[joint]));
+        const auto joint = static_cast<std::size_t>(mesh.elements[0].shape.p);
+        mesh.x.push_back(double(mesh.x.doubles()[joint]));
+        mesh.y.push_back(double(mesh.y.doubles()[joint]));
       } else {
-        mesh.coordinates(0).push_back(coordinate(a));
-        mesh.coordinates(1).push_back(coordinate(b));
+        mesh.x.push_back(coordinate(a));
+        mesh.y.push_back(coordinate(b));
       }
-      mesh.connectivity().push_back(static_cast<std::uint32_t>(first + k));
+      mesh.connectivity.push_back(static_cast<std::uint32_t>(first + k));
     }
-    mesh.elements().push_back({shape, basis, first});
+    mesh.elements.push_back({shape, basis, first});
     start += values.back();
   }
   return mesh.build();
@@ -122,17 +122,17 @@ Mesh straight(Basis basis, std::initializer_list<std::pair<double, double>> firs
               std::initializer_list<std::pair<double, double>> second) {
   MeshParts mesh;
   for (const auto& side : {first, second}) {
-    const std::size_t start = mesh.coordinates(0).size();
+    const std::size_t start = mesh.x.size();
     const int n = static_cast<int>(side.size()) - 1;
     const Shape shape{Domain::triangle, n, 0};
     std::vector<std::pair<double, double>> points(side);
     points.resize(coefficient_count(shape), {0, 1});
     for (std::size_t k = 0; k < points.size(); ++k) {
-      mesh.coordinates(0).push_back(points[k].first);
-      mesh.coordinates(1).push_back(points[k].second);
-      mesh.connectivity().push_back(static_cast<std::uint32_t>(start + k));
+      mesh.x.push_back(points[k].first);
+      mesh.y.push_back(points[k].second);
+      mesh.connectivity.push_back(static_cast<std::uint32_t>(start + k));
     }
-    mesh.elements().push_back({shape, basis, start});
+    mesh.elements.push_back({shape, basis, start});
   }
   return mesh.build();
 }
@@ -162,12 +162,12 @@ TEST_CASE("where doubles do not tell, nothing is said") {
   const auto ask = [](const Mesh& mesh) { return run_one_way(HalfEdges(mesh), 0, 3); };
   const Mesh plain = straight(Basis::bernstein, {{0, 0}, {1, 0}}, {{1, 0}, {2, 0}});
   MeshParts mesh(plain);
-  for (const double weight : {2, 2, 1, 2, 2, 1}) mesh.weights().push_back(weight);
+  for (const double weight : {2, 2, 1, 2, 2, 1}) mesh.weights.push_back(weight);
   CHECK(ask(mesh.build()));  // one weight along each edge
-  mesh.weights() = ExactVector(std::vector<double>{2, 1, 1, 2, 2, 1});
+  mesh.weights = ExactVector(std::vector<double>{2, 1, 1, 2, 2, 1});
   CHECK_FALSE(ask(mesh.build()));
   mesh = MeshParts(plain);
-  mesh.coordinates(0) = ExactVector(std::vector<Rational>{0, 1, 0, 1, Rational(7, 3), 0});
+  mesh.x = ExactVector(std::vector<Rational>{0, 1, 0, 1, Rational(7, 3), 0});
   CHECK_FALSE(ask(mesh.build()));
   for (const double scale : {0x1p-420, 0x1p440, 0x1p1000}) {  // products that are too small or too large
     CHECK_FALSE(ask(straight(Basis::bernstein, {{0, 0}, {scale, 0}}, {{scale, 0}, {1.5 * scale, 0}})));

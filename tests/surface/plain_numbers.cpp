@@ -39,12 +39,12 @@ Mesh random_mesh(Random& random) {
         }
         if (random.chance(50)) y = std::nextafter(y, random.chance(50) ? 1e300 : -1e300);
       }
-      mesh.coordinates(0).push_back(x);
-      mesh.coordinates(1).push_back(y);
-      mesh.connectivity().push_back(static_cast<std::uint32_t>(mesh.connectivity().size()));
+      mesh.x.push_back(x);
+      mesh.y.push_back(y);
+      mesh.connectivity.push_back(static_cast<std::uint32_t>(mesh.connectivity.size()));
     }
   }
-  mesh.elements().push_back({shape, random.chance(60) ? Basis::lagrange : Basis::bernstein, 0});
+  mesh.elements.push_back({shape, random.chance(60) ? Basis::lagrange : Basis::bernstein, 0});
   return mesh.build();
 }
 
