@@ -1,7 +1,9 @@
 #include "bezcert/criterion/cone.hpp"
 
+#include "bezcert/criterion/quick_net.hpp"
 #include "bezcert/criterion/triangle_index.hpp"
 #include "bezcert/curve/vector.hpp"
+#include "bezcert/element/forms.hpp"
 
 namespace bezcert {
 namespace {

@@ -1,6 +1,8 @@
 #include "bezcert/criterion/control_net.hpp"
 
+#include "bezcert/criterion/quick_net.hpp"
 #include "bezcert/criterion/triangle_index.hpp"
+#include "bezcert/element/forms.hpp"
 
 namespace bezcert {
 

@@ -1,7 +1,9 @@
 #include "bezcert/criterion/orientation.hpp"
 
 #include "bezcert/bernstein/table_cache.hpp"
+#include "bezcert/criterion/quick_net.hpp"
 #include "bezcert/criterion/triangle_index.hpp"
+#include "bezcert/element/forms.hpp"
 
 #include <array>
 

@@ -1,5 +1,7 @@
 #include "bezcert/criterion/subdivision.hpp"
 
+#include "bezcert/criterion/quick_net.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/element/jacobian_tree.hpp"
 
 #include <algorithm>

@@ -271,6 +271,8 @@ void decide_injectivity(const Forms& forms, const Budget& budget, Decision& deci
 
 }  // namespace
 
+Decision decide(const Element& element, const Budget& budget) { return decide(Forms(element), budget); }
+
 Decision decide(const Forms& forms, const Budget& budget) {
   SignSearch search(forms, budget);
   Decision decision;
