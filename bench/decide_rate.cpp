@@ -195,7 +195,7 @@ Mesh grid_mesh(int degree, std::size_t triangles, bool rational) {
     for (int I = 0; I < cells; ++I) {
       for (const int sign : {1, -1}) {
         MeshElement element;
-        element.shape = {Domain::triangle, degree, 0};
+        element.shape = Shape::triangle(degree);
         element.first_node = mesh.connectivity.size();
         const int i0 = (sign > 0 ? I : I + 1) * degree, j0 = (sign > 0 ? J : J + 1) * degree;
         for (int r = 0; r <= degree; ++r) {

@@ -35,7 +35,7 @@ std::string both(const Rational& value) {
 
 std::string decimal_parameter(const Parameter& parameter) {
   std::string text = "(";
-  for (std::size_t i = 0; i < parameter.size(); ++i) text += (i > 0 ? ", " : "") + to_decimal(parameter[i]);
+  for (const Rational& value : parameter.values()) text += (text.size() > 1 ? ", " : "") + to_decimal(value);
   return text + ")";
 }
 
@@ -78,8 +78,8 @@ void print_net(const Element& element) {
   std::size_t i = 0;
   for (int r = 0; r < row_count(element.shape()); ++r) {
     for (int c = 0; c < column_count(element.shape(), r); ++c, ++i) {
-      std::cout << "  row " << r << " column " << c << ": (" << to_decimal(element.x()[i], 17) << ", "
-                << to_decimal(element.y()[i], 17) << ")";
+      std::cout << "  row " << r << " column " << c << ": (" << to_decimal(element.coordinates()[0][i], 17) << ", "
+                << to_decimal(element.coordinates()[1][i], 17) << ")";
       if (element.rational()) std::cout << " weight " << to_decimal(element.weights()[i], 17);
       std::cout << '\n';
     }
@@ -89,8 +89,8 @@ void print_net(const Element& element) {
 // One character a coefficient of N, rows from the last to the first, so that it looks like the domain.
 void print_signs(const Forms& forms) {
   const Polynomial<Integer>& n = forms.exact_jacobian().numerator;
-  std::cout << "signs of the Bernstein coefficients of the Jacobian numerator, degree " << n.shape.p;
-  if (n.shape.domain == Domain::square) std::cout << "x" << n.shape.q;
+  std::cout << "signs of the Bernstein coefficients of the Jacobian numerator, degree " << n.shape.degree(0);
+  if (n.shape.domain == Domain::square) std::cout << "x" << n.shape.degree(1);
   std::cout << " (last row on top)\n";
   for (int r = row_count(n.shape) - 1; r >= 0; --r) {
     std::cout << "  ";

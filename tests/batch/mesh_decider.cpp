@@ -109,7 +109,7 @@ TEST_CASE("MeshDecider decides a part of a mesh as the whole, whatever the windo
 }
 
 TEST_CASE("MeshDecider refuses what an element refuses") {
-  DoubleNet net{{Domain::triangle, 1, 0}, Basis::bernstein, {0, 1, 0}, {0, 0, 1}, {1, -1, 2}};
+  DoubleNet net{Shape::triangle(1), Basis::bernstein, {0, 1, 0}, {0, 0, 1}, {1, -1, 2}};
   const Mesh mesh = mesh_of(net);
   CHECK_THROWS_AS(MeshDecider(mesh).decide_range(0, 1, [](std::size_t, const Decision&) {}),
                   std::invalid_argument);

@@ -23,7 +23,7 @@ struct Triangle {
   std::vector<double> x, y;
   std::vector<std::uint32_t> nodes;
 
-  Element element() const { return Element(shape, basis, ExactVector(x), ExactVector(y)); }
+  Element element() const { return Element(shape, basis, {ExactVector(x), ExactVector(y)}); }
 };
 
 double nudged(Random& random, double value) {
@@ -37,7 +37,7 @@ double nudged(Random& random, double value) {
 Triangle random_triangle(Random& random, int max_degree) {
   const int n = static_cast<int>(random.integer(1, max_degree));
   Triangle result;
-  result.shape = {Domain::triangle, n, 0};
+  result.shape = Shape::triangle(n);
   if (random.chance(60)) result.basis = Basis::lagrange;
   const bool round = random.chance(30);  // small integers: exact zeros are frequent
   const auto coordinate = [&] {
@@ -147,7 +147,7 @@ TEST_CASE("a quick status is the status of the check") {
     if (!net.load(t.shape, t.basis, t.x, t.y, t.nodes)) continue;
     const Element element = t.element();
     const Forms forms(element);
-    INFO("seed " << seed << " case " << i << " degree " << t.shape.p);
+    INFO("seed " << seed << " case " << i << " degree " << t.shape.degree(0));
     for (const Criterion& criterion : criteria()) {
       REQUIRE(criterion.quick != nullptr);
       const std::optional<Status> status = criterion.quick(net);
@@ -174,8 +174,8 @@ TEST_CASE("the quick net refuses what it is not for") {
   std::vector<std::uint32_t> nodes(66);
   std::iota(nodes.begin(), nodes.end(), 0U);
   const std::span<const std::uint32_t> six(nodes.data(), 6);
-  CHECK(!net.load({Domain::triangle, 2, 0}, Basis::bernstein, zero, zero, six));  // no size
-  CHECK(!net.load({Domain::triangle, 2, 0}, Basis::bernstein, wide, wide, six));  // exponents
-  CHECK(!net.load({Domain::square, 1, 1}, Basis::bernstein, wide, wide, {nodes.data(), 4}));
-  CHECK(!net.load({Domain::triangle, 11, 0}, Basis::bernstein, zero, zero, nodes));
+  CHECK(!net.load(Shape::triangle(2), Basis::bernstein, zero, zero, six));  // no size
+  CHECK(!net.load(Shape::triangle(2), Basis::bernstein, wide, wide, six));  // exponents
+  CHECK(!net.load(Shape::square(1, 1), Basis::bernstein, wide, wide, {nodes.data(), 4}));
+  CHECK(!net.load(Shape::triangle(11), Basis::bernstein, zero, zero, nodes));
 }

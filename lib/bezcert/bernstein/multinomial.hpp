@@ -1,6 +1,6 @@
 // Multinomial factors of the Bernstein basis, and products without division.
 //
-// B_m = C(m) x^m with the multinomial C(m) = degree! / m! (a product of two binomials on the square), so
+// B_m = C(m) x^m with the multinomial C(m) = degree! / m! (the product of the factors' multinomials), so
 // "scaled" coefficients c_m C(m) multiply by plain convolution. That is how products stay in integers.
 #pragma once
 
@@ -39,16 +39,17 @@ Polynomial<T> convolve(const Polynomial<T>& f, const Polynomial<T>& g);
 /// sum += f * g in scaled coefficients. Precondition: sum.shape == product_shape(f.shape, g.shape).
 template <class T>
 void add_convolution(Polynomial<T>& sum, const Polynomial<T>& f, const Polynomial<T>& g) {
-  for (int r = 0; r < row_count(f.shape); ++r) {
-    for (int c = 0; c < column_count(f.shape, r); ++c) {
-      const T& factor = f.at(r, c);
-      for (int s = 0; s < row_count(g.shape); ++s) {
-        const T* from = &g.at(s, 0);
-        T* to = &sum.at(r + s, c);
-        for (int d = 0; d < column_count(g.shape, s); ++d) to[d] += factor * from[d];
+  for_each_row(f.shape, [&](const CoefficientRow& of_f) {
+    for_each_row(g.shape, [&](const CoefficientRow& of_g) {
+      T* to = &sum.coefficients[coefficient_index(
+          sum.shape, {0, of_f.row + of_g.row, of_f.layer + of_g.layer})];
+      const T* from = &g.coefficients[of_g.first];
+      for (std::size_t c = 0; c < of_f.count; ++c, ++to) {
+        const T& factor = f.coefficients[of_f.first + c];
+        for (std::size_t d = 0; d < of_g.count; ++d) to[d] += factor * from[d];
       }
-    }
-  }
+    });
+  });
 }
 
 template <class T>

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "bezcert/element/forms.hpp"
+#include "bezcert/element/parameter.hpp"
 #include "bezcert/number/outward.hpp"
 
 #include <array>
@@ -23,7 +24,7 @@ namespace bezcert {
 struct PieceSigns {
   bool none_negative = false;           ///< every coefficient is >= 0
   bool none_positive = false;           ///< every coefficient is <= 0
-  std::array<signed char, 4> corner{};  ///< sign at each corner; corner[3] unused for triangles
+  std::array<signed char, 1 << max_dimension> corner{};  ///< sign at each corner; the rest unused
 };
 
 /// Proven bounds: min_lower <= min det J <= min_upper, max_lower <= max det J <= max_upper. The inner two are

@@ -150,14 +150,14 @@ class Reader {
   Shape shape_of(const JsonValue& element) const {
     const JsonValue& kind = required(element, "kind", "an element");
     const JsonValue& value = required(element, "degree", "an element");
-    if (kind.kind == Kind::string && kind.text == "triangle") return {Domain::triangle, degree(value), 0};
+    if (kind.kind == Kind::string && kind.text == "triangle") return Shape::triangle(degree(value));
     if (kind.kind != Kind::string || kind.text != "quadrilateral") {
       fail(kind, "\"kind\" must be \"triangle\" or \"quadrilateral\"");
     }
     if (value.kind != Kind::array || value.items.size() != 2) {
       fail(value, "the degree of a quadrilateral must be [p, q]");
     }
-    return {Domain::square, degree(value.items[0]), degree(value.items[1])};
+    return Shape::square(degree(value.items[0]), degree(value.items[1]));
   }
 
   Basis basis_of(const JsonValue& element) {

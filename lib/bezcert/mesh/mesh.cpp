@@ -25,7 +25,7 @@ Element Mesh::element(std::size_t i) const {
   const MeshElement& entry = elements[i];
   const std::span<const std::uint32_t> nodes(connectivity.data() + entry.first_node,
                                              coefficient_count(entry.shape));
-  return Element(entry.shape, entry.basis, gather(x, nodes), gather(y, nodes),
+  return Element(entry.shape, entry.basis, {gather(x, nodes), gather(y, nodes)},
                  weights.empty() ? ExactVector() : gather(weights, nodes));
 }
 

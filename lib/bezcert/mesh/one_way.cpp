@@ -41,7 +41,7 @@ Differences build(Shape segment) {
 
 const Differences& differences_of(std::size_t count) {
   static TableCache<Differences> cache;
-  return cache.get(Shape{Domain::segment, static_cast<int>(count) - 1, 0}, build);
+  return cache.get(Shape::segment(static_cast<int>(count) - 1), build);
 }
 
 struct Direction {

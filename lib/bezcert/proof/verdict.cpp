@@ -1,9 +1,11 @@
 #include "bezcert/proof/verdict.hpp"
 
+#include "bezcert/element/map.hpp"
+
 namespace bezcert {
 
 Witness make_witness(const Element& element, Parameter parameter) {
-  Rational determinant = jacobian_determinant(element, parameter);
+  Rational determinant = evaluate_map(element, parameter).determinant;
   return {std::move(parameter), std::move(determinant)};
 }
 
@@ -17,15 +19,6 @@ std::string_view name(Status status) {
     case Status::not_applicable: return "not_applicable";
   }
   return "";
-}
-
-std::string to_string(const Parameter& parameter) {
-  std::string text = "(";
-  for (std::size_t i = 0; i < parameter.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += to_string(parameter[i]);
-  }
-  return text + ")";
 }
 
 }  // namespace bezcert

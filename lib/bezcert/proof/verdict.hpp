@@ -22,7 +22,7 @@ struct Witness {
   Rational determinant;
 };
 
-/// Evaluates det J at a parameter directly (jacobian_determinant): the witness stands on its own.
+/// Evaluates det J at a parameter directly (evaluate_map): the witness stands on its own.
 Witness make_witness(const Element& element, Parameter parameter);
 
 struct Verdict {
@@ -39,8 +39,5 @@ struct Verdict {
 
 std::string_view name(Claim claim);
 std::string_view name(Status status);
-
-/// "(1/2, 1/4, 1/4)".
-std::string to_string(const Parameter& parameter);
 
 }  // namespace bezcert
