@@ -78,8 +78,8 @@ void print_net(const Element& element) {
   std::size_t i = 0;
   for (int r = 0; r < row_count(element.shape()); ++r) {
     for (int c = 0; c < column_count(element.shape(), r); ++c, ++i) {
-      std::cout << "  row " << r << " column " << c << ": (" << to_decimal(element.coordinates()[0][i], 17) << ", "
-                << to_decimal(element.coordinates()[1][i], 17) << ")";
+      std::cout << "  row " << r << " column " << c << ": (" << to_decimal(element.coordinates()[0][i], 17)
+                << ", " << to_decimal(element.coordinates()[1][i], 17) << ")";
       if (element.rational()) std::cout << " weight " << to_decimal(element.weights()[i], 17);
       std::cout << '\n';
     }

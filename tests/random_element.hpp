@@ -97,8 +97,9 @@ inline RawElement rotate_corners(const RawElement& e) {
     for (int c = 0; c < column_count(s, r); ++c) {
       const std::size_t from = coefficient_index(s, r, c);
       // Triangle: exponents (i, j, k) -> (j, k, i). Square: (u, v) -> (v, 1 - u).
-      const std::size_t to = s.domain == Domain::triangle ? coefficient_index(s, s.degree(0) - r - c, r)
-                                                          : coefficient_index(result.shape, s.degree(0) - c, r);
+      const std::size_t to = s.domain == Domain::triangle
+                                 ? coefficient_index(s, s.degree(0) - r - c, r)
+                                 : coefficient_index(result.shape, s.degree(0) - c, r);
       result.x[to] = e.x[from];
       result.y[to] = e.y[from];
       if (!e.w.empty()) result.w[to] = e.w[from];

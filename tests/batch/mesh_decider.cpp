@@ -14,7 +14,7 @@ std::string text(const Dyadic& d) { return std::to_string(d.mantissa) + "*2^" + 
 std::string text(const std::optional<Witness>& witness) {
   if (!witness) return "-";
   std::string result;
-  for (const Rational& p : witness->parameter) result += to_string(p) + " ";
+  for (const Rational& p : witness->parameter.values()) result += to_string(p) + " ";
   return result + to_string(witness->determinant);
 }
 

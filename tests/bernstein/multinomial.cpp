@@ -16,10 +16,10 @@ std::vector<Integer> expected_multinomials(Shape shape) {
   std::vector<Integer> result;
   for (int r = 0; r < row_count(shape); ++r) {
     for (int c = 0; c < column_count(shape, r); ++c) {
-      result.push_back(
-          shape.domain == Domain::triangle
-              ? Integer(factorial(shape.degree(0)) / (factorial(c) * factorial(r) * factorial(shape.degree(0) - r - c)))
-              : Integer(choose(shape.degree(0), c) * choose(shape.degree(1), r)));
+      result.push_back(shape.domain == Domain::triangle
+                           ? Integer(factorial(shape.degree(0)) /
+                                     (factorial(c) * factorial(r) * factorial(shape.degree(0) - r - c)))
+                           : Integer(choose(shape.degree(0), c) * choose(shape.degree(1), r)));
     }
   }
   return result;
@@ -49,7 +49,8 @@ TEST_CASE("multinomials are degree! / m!, and sum to the number of words") {
     Integer sum = 0;
     for (const Integer& factor : factors) sum += factor;
     Integer words = 1;
-    for (int k = 0; k < shape.degree(0) + shape.degree(1); ++k) words *= shape.domain == Domain::triangle ? 3 : 2;
+    for (int k = 0; k < shape.degree(0) + shape.degree(1); ++k)
+      words *= shape.domain == Domain::triangle ? 3 : 2;
     CHECK(sum == words);
   }
 }

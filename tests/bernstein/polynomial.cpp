@@ -95,7 +95,9 @@ TEST_CASE("multiply gives the product of the values") {
       const Polynomial<Rational> g = random_polynomial(random, shape());
       const Polynomial<Rational> product = multiply(f, g);
       INFO("seed " << seed << ", " << show(f.shape) << " times " << show(g.shape));
-      if (product.shape != Shape{domain, f.shape.degree(0) + g.shape.degree(0), f.shape.degree(1) + g.shape.degree(1)}) FAIL("shape");
+      if (product.shape !=
+          Shape{domain, f.shape.degree(0) + g.shape.degree(0), f.shape.degree(1) + g.shape.degree(1)})
+        FAIL("shape");
       for (int i = 0; i < 3; ++i) {
         const auto at = random_parameter(random, domain);
         if (explicit_value(product, at) != explicit_value(f, at) * explicit_value(g, at))

@@ -116,16 +116,21 @@ TEST_CASE("tetrahedra, hexahedra and prisms are numbered by the same rules") {
   CHECK(coefficient_count(Shape(tetrahedron, 4)) == 35);
   CHECK(coefficient_count(Shape(hexahedron, 1, 2, 3)) == 24);
   CHECK(coefficient_count(Shape(prism, 3, 2)) == 30);
-  // The exponents of the affine coordinates in coefficient order are counted by rows, and lead back to their places.
-  for (const Shape shape : {Shape(tetrahedron, 4), Shape(hexahedron, 1, 2, 3), Shape(prism, 3, 2),
-                            Shape(Domain(1, 2), 2, 3), Shape(tetrahedron, 0)}) {
+  // The exponents of the affine coordinates in coefficient order are counted by rows, and lead back to their
+  // places.
+  for (const Shape shape :
+       {Shape::triangle(3), Shape::square(2, 3), Shape::segment(4), Shape(tetrahedron, 4),
+        Shape(hexahedron, 1, 2, 3), Shape(prism, 3, 2), Shape(Domain(1, 2), 2, 3), Shape(tetrahedron, 0)}) {
     std::size_t next = 0;
-    for_each_row(shape, [&](const CoefficientRow& row) {
-      CHECK(row.first == next);
-      for (std::size_t c = 0; c < row.count; ++c, ++next) {
-        CHECK(coefficient_index(shape, {static_cast<int>(c), row.row, row.layer}) == next);
+    const ShapeRows rows(shape);
+    for (int layer = 0; layer < rows.layer_count(); ++layer) {
+      for (int row = 0; row < rows.row_count(layer); ++row) {
+        CHECK(rows.first(row, layer) == next);
+        for (int c = 0; c < rows.column_count(row, layer); ++c, ++next) {
+          CHECK(coefficient_index(shape, {c, row, layer}) == next);
+        }
       }
-    });
+    }
     CHECK(next == coefficient_count(shape));
   }
   // Corners: a hexahedron's and a prism's bottom is walked around, then its top.
@@ -139,10 +144,12 @@ TEST_CASE("tetrahedra, hexahedra and prisms are numbered by the same rules") {
 TEST_CASE("products and operations on tetrahedra, hexahedra and prisms agree with evaluation") {
   const std::uint64_t seed = seed_or(204);
   Random random(seed);
-  for (const Shape shape : {Shape(Domain(3), 3), Shape(Domain(1, 1, 1), 1, 2, 2), Shape(Domain(2, 1), 2, 2)}) {
+  for (const Shape shape :
+       {Shape(Domain(3), 3), Shape(Domain(1, 1, 1), 1, 2, 2), Shape(Domain(2, 1), 2, 2)}) {
     INFO("seed " << seed);
     const Polynomial<Rational> f = random_polynomial(random, shape), g = random_polynomial(random, shape);
-    // (u, v, w) = (1/7, 2/7, 3/7): barycentric parameters of simplices of dimension 2 and 3 begin with the rest.
+    // (u, v, w) = (1/7, 2/7, 3/7): barycentric parameters of simplices of dimension 2 and 3 begin with the
+    // rest.
     const Rational u(1, 7), v(2, 7), w(3, 7);
     const bool one_simplex = shape.factor_count() == 1;
     const auto at = [&](const Rational& x) -> std::vector<Rational> {
@@ -152,7 +159,8 @@ TEST_CASE("products and operations on tetrahedra, hexahedra and prisms agree wit
     };
     CHECK(evaluate(multiply(f, g), at(u)) == evaluate(f, at(u)) * evaluate(g, at(u)));
     CHECK(evaluate(elevate(f, 2), at(u)) == evaluate(f, at(u)));
-    // The derivative by u of a polynomial of degree at most 3 along u: central differences, extrapolated once.
+    // The derivative by u of a polynomial of degree at most 3 along u: central differences, extrapolated
+    // once.
     const auto slope = [&](const Rational& h) {
       return Rational((evaluate(f, at(u + h)) - evaluate(f, at(u - h))) / (2 * h));
     };

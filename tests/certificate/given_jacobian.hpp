@@ -25,8 +25,9 @@ inline Rational falling(int n, int k) {
 inline Rational monomial_coefficient(Shape shape, int i, int k, int c, int r) {
   if (i > c || k > r) return 0;
   const Rational part = falling(c, i) * falling(r, k);
-  return shape.domain == Domain::triangle ? Rational(part / falling(shape.degree(0), i + k))
-                                          : Rational(part / (falling(shape.degree(0), i) * falling(shape.degree(1), k)));
+  return shape.domain == Domain::triangle
+             ? Rational(part / falling(shape.degree(0), i + k))
+             : Rational(part / (falling(shape.degree(0), i) * falling(shape.degree(1), k)));
 }
 
 inline Element element_with(const Bivariate& f, Domain domain) {

@@ -71,10 +71,10 @@ inline DualPoint exact_map(const Element& element, const Values& parameter) {
   std::size_t i = 0;
   for (int r = 0; r <= (triangle ? shape.degree(0) : shape.degree(1)); ++r) {
     for (int c = 0; c <= (triangle ? shape.degree(0) - r : shape.degree(0)); ++c, ++i) {
-      const Dual basis = triangle
-                             ? function({constant(1) + minus * u + minus * v, u, v}, {shape.degree(0) - r - c, c, r})
-                             : function({constant(1) + minus * u, u}, {shape.degree(0) - c, c}) *
-                                   function({constant(1) + minus * v, v}, {shape.degree(1) - r, r});
+      const Dual basis =
+          triangle ? function({constant(1) + minus * u + minus * v, u, v}, {shape.degree(0) - r - c, c, r})
+                   : function({constant(1) + minus * u, u}, {shape.degree(0) - c, c}) *
+                         function({constant(1) + minus * v, v}, {shape.degree(1) - r, r});
       const Dual weighted = basis * constant(element.weights().empty() ? Rational(1) : element.weights()[i]);
       x = x + weighted * constant(element.coordinates()[0][i]);
       y = y + weighted * constant(element.coordinates()[1][i]);

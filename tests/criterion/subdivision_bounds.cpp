@@ -33,7 +33,8 @@ TEST_CASE("sampled det J lies in the bounds, which are as narrow as asked") {
     REQUIRE(min_upper <= max_upper);
     // Exact values at many parameters, by the direct formula.
     for (int k = 0; k < 20; ++k) {
-      const Rational value = evaluate_map(element, random_parameter(random, element.shape().domain)).determinant;
+      const Rational value =
+          evaluate_map(element, random_parameter(random, element.shape().domain)).determinant;
       REQUIRE(min_lower <= value);
       REQUIRE(value <= max_upper);
     }

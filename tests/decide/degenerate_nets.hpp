@@ -130,7 +130,7 @@ inline TestNet collapsed_net(Random& random) {
   switch (random.integer(0, 4)) {
     case 0: copy(0, 1); break;
     case 1:
-      for (int c = 1; c <= s.p; ++c) copy(coefficient_index(s, 0, c), 0);
+      for (int c = 1; c <= s.degree(0); ++c) copy(coefficient_index(s, 0, c), 0);
       break;
     case 2:
       for (int k = 0; k < 3; ++k) {

@@ -120,7 +120,8 @@ inline Table basis_table(Shape shape, int row, int column) {
     powers = product(powers, repeated(rest, other));
     factor = factorial_of(shape.degree(0)) / (factorial_of(row) * factorial_of(column) * factorial_of(other));
   } else {
-    powers = product(powers, product(repeated(rest_u, shape.degree(0) - column), repeated(rest_v, shape.degree(1) - row)));
+    powers = product(
+        powers, product(repeated(rest_u, shape.degree(0) - column), repeated(rest_v, shape.degree(1) - row)));
     factor = factorial_of(shape.degree(0)) / (factorial_of(column) * factorial_of(shape.degree(0) - column)) *
              (factorial_of(shape.degree(1)) / (factorial_of(row) * factorial_of(shape.degree(1) - row)));
   }
@@ -135,9 +136,10 @@ inline Table expanded(Shape shape, const std::vector<Rational>& coefficients) {
     for (int r = 0; r < row_count(shape); ++r) {
       for (int c = 0; c < column_count(shape, r); ++c) {
         const auto height =
-            static_cast<std::size_t>(shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1)) + 1;
-        basis.push_back(
-            combined(Table(height, static_cast<std::size_t>(shape.degree(0)) + 1), 1, basis_table(shape, r, c)));
+            static_cast<std::size_t>(shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1)) +
+            1;
+        basis.push_back(combined(Table(height, static_cast<std::size_t>(shape.degree(0)) + 1), 1,
+                                 basis_table(shape, r, c)));
       }
     }
   }

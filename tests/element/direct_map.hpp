@@ -63,7 +63,8 @@ inline std::vector<Rational> basis_derivatives(Shape shape, const std::vector<Ra
     const auto z = powers(at[2], shape.degree(0));
     for (const auto& [k, j] : rows_and_columns(shape)) {
       const int i = shape.degree(0) - j - k;
-      const Rational factor(Integer(factorial(shape.degree(0)) / (factorial(i) * factorial(j) * factorial(k))));
+      const Rational factor(
+          Integer(factorial(shape.degree(0)) / (factorial(i) * factorial(j) * factorial(k))));
       const Rational by_first = slope(x, i) * get(y, j) * get(z, k);
       const Rational by_other = direction == 0 ? Rational(get(x, i) * slope(y, j) * get(z, k))
                                                : Rational(get(x, i) * get(y, j) * slope(z, k));
@@ -79,8 +80,10 @@ inline std::vector<Rational> basis_derivatives(Shape shape, const std::vector<Ra
     const Rational factor(Integer(choose(shape.degree(0), c) * choose(shape.degree(1), r)));
     const Rational along_u = get(u1, shape.degree(0) - c) * get(u, c);
     const Rational along_v = get(v1, shape.degree(1) - r) * get(v, r);
-    const Rational slope_u = get(u1, shape.degree(0) - c) * slope(u, c) - slope(u1, shape.degree(0) - c) * get(u, c);
-    const Rational slope_v = get(v1, shape.degree(1) - r) * slope(v, r) - slope(v1, shape.degree(1) - r) * get(v, r);
+    const Rational slope_u =
+        get(u1, shape.degree(0) - c) * slope(u, c) - slope(u1, shape.degree(0) - c) * get(u, c);
+    const Rational slope_v =
+        get(v1, shape.degree(1) - r) * slope(v, r) - slope(v1, shape.degree(1) - r) * get(v, r);
     result.push_back(factor * (direction == 0 ? Rational(slope_u * along_v) : Rational(along_u * slope_v)));
   }
   return result;

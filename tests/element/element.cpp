@@ -54,9 +54,8 @@ TEST_CASE("an element refuses what is none, and says why") {
 
   const std::string limit = std::to_string(max_degree);
   const auto zeros = [](Shape shape) { return Doubles(coefficient_count(shape)); };
-  for (const Shape too_high :
-       {Shape::triangle(max_degree + 1), Shape::square(max_degree + 1, 1),
-        Shape::square(1, max_degree + 1)}) {
+  for (const Shape too_high : {Shape::triangle(max_degree + 1), Shape::square(max_degree + 1, 1),
+                               Shape::square(1, max_degree + 1)}) {
     INFO(show(too_high));
     CHECK(says(refusal(too_high, zeros(too_high), zeros(too_high)), {"degree", limit.c_str()}));
   }
@@ -94,7 +93,8 @@ TEST_CASE("a triangle has no second degree") {
   const std::string message = refusal({Domain::triangle, 1, 1}, three, three);
   // Either refused, or kept as the shape it is: q is 0 for triangles (shape.hpp).
   if (message.empty()) {
-    const Element element({Domain::triangle, 1, 1}, Basis::bernstein, {ExactVector(three), ExactVector(three)});
+    const Element element({Domain::triangle, 1, 1}, Basis::bernstein,
+                          {ExactVector(three), ExactVector(three)});
     CHECK(element.shape() == Shape::triangle(1));
   }
 }
@@ -156,15 +156,19 @@ TEST_CASE("the integer net is the element relative to its first point, the inter
         const auto w = [&](std::size_t m) {
           return element.rational() ? Rational(exact.net.weights[m]) : Rational(1);
         };
-        const auto wi = [&](std::size_t m) { return element.rational() ? intervals.net.weights[m] : Interval(1); };
+        const auto wi = [&](std::size_t m) {
+          return element.rational() ? intervals.net.weights[m] : Interval(1);
+        };
         for (std::size_t m = 0; m < net.x.size(); ++m) {
           const Rational x = net.x[m] - net.x[0];
           const Rational y = net.y[m] - net.y[0];
           if (exact.scale * Rational(exact.net.coordinates[0][m]) != w(m) * x) FAIL("x of point " << m);
           if (exact.scale * Rational(exact.net.coordinates[1][m]) != w(m) * y) FAIL("y of point " << m);
           if (w(m) <= 0) FAIL("weight " << m << " not positive");
-          if (!inside(intervals.scale * intervals.net.coordinates[0][m] / wi(m), x)) FAIL("interval x of point " << m);
-          if (!inside(intervals.scale * intervals.net.coordinates[1][m] / wi(m), y)) FAIL("interval y of point " << m);
+          if (!inside(intervals.scale * intervals.net.coordinates[0][m] / wi(m), x))
+            FAIL("interval x of point " << m);
+          if (!inside(intervals.scale * intervals.net.coordinates[1][m] / wi(m), y))
+            FAIL("interval y of point " << m);
           if (!element.rational()) continue;
           if (w(m) * net.w[0] != w(0) * net.w[m]) FAIL("weight " << m);
           if (!inside(wi(m) / wi(0), net.w[m] / net.w[0])) FAIL("interval weight " << m);
@@ -203,7 +207,8 @@ TEST_CASE("orientations of control points have the sign of the triangle's area, 
     // A positive multiple: of 2 area, by w_a w_b w_c and the scale.
     const Net<Integer>& integers = off.exact().net;
     Rational multiple = 1 / (off.exact().scale * off.exact().scale);
-    if (integers.rational()) multiple *= Rational(Integer(integers.weights[a] * integers.weights[b] * integers.weights[c]));
+    if (integers.rational())
+      multiple *= Rational(Integer(integers.weights[a] * integers.weights[b] * integers.weights[c]));
     if (Rational(orientation(integers, a, b, c)) != area * multiple) FAIL("multiple of the area");
     ++seen[area.sign() + 1];
     rational += element.rational();

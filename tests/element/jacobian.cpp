@@ -47,7 +47,10 @@ void check_element(const ControlNet& net, Random& random, int parameters) {
     const Rational expected = direct_determinant(net, at);
     INFO("at " << show(at) << ", det J = " << expected);
     if (determinant_by_numerator(exact, n, at) != expected) FAIL("N");
-    if (map_determinant(element, at) != expected) FAIL("evaluate_map");
+    const MapValue value = evaluate_map(exact, Parameter(net.shape.domain, at));
+    if (value.determinant != expected) FAIL("evaluate_map");
+    const auto [x, y] = point_at(net, at);
+    if (value.place != Values{x, y}) FAIL("place");
   }
   const RoundingScope scope;
   const IntervalNet intervals = interval_net(element);
@@ -150,10 +153,10 @@ TEST_CASE("the numerator has the stated shape, and the multiple is the least com
       const Shape n = numerator_shape(shape, rational);
       Integer multiple = 1;
       for (const auto& [r, c] : rows_and_columns(n)) {
-        multiple = lcm(multiple,
-                       n.domain == Domain::triangle
-                           ? Integer(factorial(n.degree(0)) / (factorial(r) * factorial(c) * factorial(n.degree(0) - r - c)))
-                           : Integer(choose(n.degree(0), c) * choose(n.degree(1), r)));
+        multiple = lcm(multiple, n.domain == Domain::triangle
+                                     ? Integer(factorial(n.degree(0)) /
+                                               (factorial(r) * factorial(c) * factorial(n.degree(0) - r - c)))
+                                     : Integer(choose(n.degree(0), c) * choose(n.degree(1), r)));
       }
       CHECK(numerator_multiple(n) == multiple);
     }
@@ -165,8 +168,8 @@ TEST_CASE("an element built to have det J = g has det J = g") {
   Random random(seed);
   for (int i = 0; i < 60; ++i) {
     const int p = static_cast<int>(random.integer(1, 4));
-    const Shape shape = i % 2 == 0 ? Shape::triangle(p - 1)
-                                   : Shape::square(p, static_cast<int>(random.integer(0, 3)));
+    const Shape shape =
+        i % 2 == 0 ? Shape::triangle(p - 1) : Shape::square(p, static_cast<int>(random.integer(0, 3)));
     const Polynomial<Rational> g = random_polynomial(random, shape);
     const ControlNet net = net_with_determinant(g);
     const Element element = bernstein_element(net);

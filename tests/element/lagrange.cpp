@@ -90,8 +90,8 @@ TEST_CASE("nodal values are interpolated: triangles of degrees 1..10, segments, 
 }
 
 TEST_CASE("each Lagrange basis function is 1 at its node and 0 at the others") {
-  for (const Shape shape : {Shape::segment(4), Shape::triangle(4),
-                            Shape::square(3, 2), Shape::square(1, 4)}) {
+  for (const Shape shape :
+       {Shape::segment(4), Shape::triangle(4), Shape::square(3, 2), Shape::square(1, 4)}) {
     const auto all = nodes(shape);
     for (std::size_t k = 0; k < all.size(); ++k) {
       std::vector<Rational> nodal(all.size());
@@ -160,12 +160,17 @@ TEST_CASE("an element given by nodes is the element that was sampled") {
         return exact.net.rational() ? Rational(exact.net.weights[m]) : Rational(1);
       };
       for (std::size_t m = 0; m < net.x.size(); ++m) {
-        if (exact.scale * Rational(exact.net.coordinates[0][m]) / w(m) != net.x[m] - net.x[0]) FAIL("x of point " << m);
-        if (exact.scale * Rational(exact.net.coordinates[1][m]) / w(m) != net.y[m] - net.y[0]) FAIL("y of point " << m);
+        if (exact.scale * Rational(exact.net.coordinates[0][m]) / w(m) != net.x[m] - net.x[0])
+          FAIL("x of point " << m);
+        if (exact.scale * Rational(exact.net.coordinates[1][m]) / w(m) != net.y[m] - net.y[0])
+          FAIL("y of point " << m);
         if (w(m) / w(0) != net.weight(m) / net.weight(0)) FAIL("weight " << m);
       }
       const auto at = random_parameter(random, shape.domain, true);
-      if (map_determinant(element, at) != direct_determinant(net, at)) FAIL("det J at " << show(at));
+      const MapValue value = evaluate_map(exact, Parameter(net.shape.domain, at));
+      if (value.determinant != direct_determinant(net, at)) FAIL("det J at " << show(at));
+      const auto [px, py] = point_at(net, at);
+      if (value.place != Values{px, py}) FAIL("place of " << show(at));
       const Polynomial<Integer> n = jacobian_numerator(exact.net);
       Rational weight = 1;
       if (exact.net.rational()) weight = explicit_value(weight_polynomial(exact.net), at);

@@ -28,7 +28,8 @@ inline ControlNet identity_net(Shape shape, long scale = 1) {
   net.shape = shape;
   for (const auto& [r, c] : rows_and_columns(shape)) {
     net.x.push_back(Rational(c * scale) / shape.degree(0));
-    net.y.push_back(Rational(r * scale) / (shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1)));
+    net.y.push_back(Rational(r * scale) /
+                    (shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1)));
   }
   return net;
 }

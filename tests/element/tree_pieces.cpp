@@ -233,7 +233,8 @@ TEST_CASE("a corner's sign is the sign of det J at its parameter, and proofs hol
     for (std::size_t piece = 0; piece < tree.piece_count(); ++piece) {
       const PieceSigns signs = tree.signs(scope, piece);
       for (std::size_t k = 0; k < tree.corner_count(); ++k) {
-        if (direct_determinant(net, tree.corner(piece, k).values()).sign() != signs.corner[k]) FAIL("piece " << piece);
+        if (direct_determinant(net, tree.corner(piece, k).values()).sign() != signs.corner[k])
+          FAIL("piece " << piece);
         ++corners;
       }
       const bool up = tree.proves_positive(signs);

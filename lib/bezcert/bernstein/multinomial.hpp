@@ -39,17 +39,25 @@ Polynomial<T> convolve(const Polynomial<T>& f, const Polynomial<T>& g);
 /// sum += f * g in scaled coefficients. Precondition: sum.shape == product_shape(f.shape, g.shape).
 template <class T>
 void add_convolution(Polynomial<T>& sum, const Polynomial<T>& f, const Polynomial<T>& g) {
-  for_each_row(f.shape, [&](const CoefficientRow& of_f) {
-    for_each_row(g.shape, [&](const CoefficientRow& of_g) {
-      T* to = &sum.coefficients[coefficient_index(
-          sum.shape, {0, of_f.row + of_g.row, of_f.layer + of_g.layer})];
-      const T* from = &g.coefficients[of_g.first];
-      for (std::size_t c = 0; c < of_f.count; ++c, ++to) {
-        const T& factor = f.coefficients[of_f.first + c];
-        for (std::size_t d = 0; d < of_g.count; ++d) to[d] += factor * from[d];
+  const ShapeRows of_f(f.shape), of_g(g.shape), of_sum(sum.shape);
+  const T* factor = f.coefficients.data();
+  for (int a = 0; a < of_f.layer_count(); ++a) {
+    for (int r = 0; r < of_f.row_count(a); ++r) {
+      const int columns = of_f.column_count(r, a);
+      const T* from = g.coefficients.data();
+      for (int b = 0; b < of_g.layer_count(); ++b) {
+        for (int s = 0; s < of_g.row_count(b); ++s) {
+          const int count = of_g.column_count(s, b);
+          T* to = &sum.coefficients[of_sum.first(r + s, a + b)];
+          for (int c = 0; c < columns; ++c, ++to) {
+            for (int d = 0; d < count; ++d) to[d] += factor[c] * from[d];
+          }
+          from += count;
+        }
       }
-    });
-  });
+      factor += columns;
+    }
+  }
 }
 
 template <class T>

@@ -8,8 +8,8 @@
 namespace bezcert {
 namespace detail {
 
-// Calls visit(first in `from`, first in `to`, stride) for every copy of a factor's coefficients in two shapes that
-// differ in that factor's degree: the j-th coefficient is at first + j * stride.
+// Calls visit(first in `from`, first in `to`, stride) for every copy of a factor's coefficients in two shapes
+// that differ in that factor's degree: the j-th coefficient is at first + j * stride.
 template <class Visit>
 void for_each_copy(Shape from, Shape to, int factor, Visit visit) {
   std::size_t stride = 1;
@@ -61,24 +61,26 @@ template <class T>
 Polynomial<T> collapse(Polynomial<T> f, int factor, const T* t, int to) {
   const int dimension = f.shape.domain.simplex(factor), degree = f.shape.degree(factor);
   if (degree == to) return f;
-  Polynomial<T> result(f.shape.raised(factor, to - degree));
+  Polynomial<T> result;  // every coefficient is moved into: no zeros are made
+  result.shape = f.shape.raised(factor, to - degree);
+  result.coefficients.resize(coefficient_count(result.shape));
   std::vector<T>& c = f.coefficients;
-  detail::for_each_copy(
-      f.shape, result.shape, factor, [&](std::size_t first, std::size_t result_first, std::size_t stride) {
-        for (int level = degree - 1; level >= to; --level) {
-          for_each_simplex_point(dimension, level, [&](const SimplexPoint& at) {
-            T sum = t[0] * c[first + at.raised[0] * stride];
-            for (int k = 1; k <= dimension; ++k) {
-              const auto corner = static_cast<std::size_t>(k);
-              sum += t[corner] * c[first + at.raised[corner] * stride];
-            }
-            c[first + at.position * stride] = std::move(sum);
-          });
-        }
-        for (std::size_t i = 0; i < simplex_count(dimension, to); ++i) {
-          result.coefficients[result_first + i * stride] = std::move(c[first + i * stride]);
-        }
-      });
+  detail::for_each_copy(f.shape, result.shape, factor,
+                        [&](std::size_t first, std::size_t result_first, std::size_t stride) {
+                          for (int level = degree - 1; level >= to; --level) {
+                            for_each_simplex_point(dimension, level, [&](const SimplexPoint& at) {
+                              T sum = t[0] * c[first + at.raised[0] * stride];
+                              for (int k = 1; k <= dimension; ++k) {
+                                const auto corner = static_cast<std::size_t>(k);
+                                sum += t[corner] * c[first + at.raised[corner] * stride];
+                              }
+                              c[first + at.position * stride] = std::move(sum);
+                            });
+                          }
+                          for (std::size_t i = 0; i < simplex_count(dimension, to); ++i) {
+                            result.coefficients[result_first + i * stride] = std::move(c[first + i * stride]);
+                          }
+                        });
   return result;
 }
 
@@ -111,16 +113,16 @@ Polynomial<T> elevate(const Polynomial<T>& f, int times) {
     const Polynomial<T> g = std::move(result);
     const int dimension = g.shape.domain.simplex(factor), degree = g.shape.degree(factor);
     result = Polynomial<T>(g.shape.raised(factor, 1));
-    detail::for_each_copy(
-        g.shape, result.shape, factor, [&](std::size_t from, std::size_t to, std::size_t stride) {
-          for_each_simplex_point(dimension, degree, [&](const SimplexPoint& at) {
-            for (int corner = 0; corner <= dimension; ++corner) {
-              const auto i = static_cast<std::size_t>(corner);
-              result.coefficients[to + at.raised[i] * stride] +=
-                  T(at.exponents[i] + 1) * g.coefficients[from + at.position * stride];
-            }
-          });
-        });
+    detail::for_each_copy(g.shape, result.shape, factor,
+                          [&](std::size_t from, std::size_t to, std::size_t stride) {
+                            for_each_simplex_point(dimension, degree, [&](const SimplexPoint& at) {
+                              for (int corner = 0; corner <= dimension; ++corner) {
+                                const auto i = static_cast<std::size_t>(corner);
+                                result.coefficients[to + at.raised[i] * stride] +=
+                                    T(at.exponents[i] + 1) * g.coefficients[from + at.position * stride];
+                              }
+                            });
+                          });
     for (T& c : result.coefficients) c = c / T(degree + 1);
   }
   return result;
@@ -147,19 +149,21 @@ Polynomial<T> multiply(const Polynomial<T>& f, const Polynomial<T>& g) {
 
 template <class T>
 Polynomial<T> differentiate(const Polynomial<T>& f, int coordinate) {
-  Polynomial<T> result(detail::lowered(f.shape, coordinate));
+  Polynomial<T> result;
+  result.shape = detail::lowered(f.shape, coordinate);
+  result.coefficients.resize(coefficient_count(result.shape));
   const int factor = factor_of_coordinate(f.shape.domain, coordinate);
   std::size_t corner = static_cast<std::size_t>(coordinate) + 1;
   for (int k = 0; k < factor; ++k) corner -= static_cast<std::size_t>(f.shape.domain.simplex(k));
   const T degree(f.shape.degree(factor));
   detail::for_each_copy(
       f.shape, result.shape, factor, [&](std::size_t from, std::size_t to, std::size_t stride) {
-        for_each_simplex_point(
-            f.shape.domain.simplex(factor), result.shape.degree(factor), [&](const SimplexPoint& at) {
-              result.coefficients[to + at.position * stride] =
-                  degree * (f.coefficients[from + at.raised[corner] * stride] -
-                            f.coefficients[from + at.raised[0] * stride]);
-            });
+        for_each_simplex_point(f.shape.domain.simplex(factor), result.shape.degree(factor),
+                               [&](const SimplexPoint& at) {
+                                 result.coefficients[to + at.position * stride] =
+                                     degree * (f.coefficients[from + at.raised[corner] * stride] -
+                                               f.coefficients[from + at.raised[0] * stride]);
+                               });
       });
   return result;
 }

@@ -4,7 +4,8 @@ namespace bezcert {
 namespace {
 
 // The coefficient k steps of the way from corner a to corner b; of two corners that differ in one factor.
-std::size_t position_between(Shape shape, const DomainCorners::Corner& a, const DomainCorners::Corner& b, int k) {
+std::size_t position_between(Shape shape, const DomainCorners::Corner& a, const DomainCorners::Corner& b,
+                             int k) {
   DomainCorners::Corner exponents{};
   for (int i = 0; i < shape.dimension(); ++i) {
     const auto at = static_cast<std::size_t>(i);

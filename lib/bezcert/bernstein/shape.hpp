@@ -1,17 +1,17 @@
 // Domains, degrees and the order of Bernstein coefficients.
 //
 // A domain is a product of simplices: segment {1}, triangle {2}, square {1, 1}; tetrahedron {3}, hexahedron
-// {1, 1, 1} and prism {2, 1} are of the same kind. A shape gives each factor a degree, and a basis function is a
-// product of one Bernstein polynomial a factor. The first factor's coefficients lie together, the last factor is
-// outermost; within a factor see simplex.hpp. Of the planar ones:
-// Segment of degree p: coefficient c belongs to B_c(t) = C(p,c) (1-t)^(p-c) t^c.
-// Triangle of degree p: rows r = 0..p of columns c = 0..p-r; row r, column c has the exponents
+// {1, 1, 1} and prism {2, 1} are of the same kind. A shape gives each factor a degree, and a basis function
+// is a product of one Bernstein polynomial a factor. The first factor's coefficients lie together, the last
+// factor is outermost; within a factor see simplex.hpp. Of the planar ones: Segment of degree p: coefficient
+// c belongs to B_c(t) = C(p,c) (1-t)^(p-c) t^c. Triangle of degree p: rows r = 0..p of columns c = 0..p-r;
+// row r, column c has the exponents
 //   (p-r-c, c, r) of the barycentric parameters (xi_0, xi_1, xi_2). The first coefficient is corner 0,
 //   the last of the first row corner 1, the last of all corner 2.
 // Square of degrees p, q: rows r = 0..q along v of columns c = 0..p along u. Corners in counter-clockwise
 //   order: (0,0), (1,0), (1,1), (0,1).
-// The affine coordinates of a domain are (u, v, ...): of each factor in turn, the barycentric parameters of its
-// corners 1, 2, ...
+// The affine coordinates of a domain are (u, v, ...): of each factor in turn, the barycentric parameters of
+// its corners 1, 2, ...
 #pragma once
 
 #include "bezcert/bernstein/simplex.hpp"
@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace bezcert {
@@ -31,30 +30,24 @@ class Domain {
  public:
   /// The dimensions of the simplices; 0: no more. Throws std::invalid_argument if their sum is not 1 to 3.
   explicit constexpr Domain(int first, int second = 0, int third = 0)
-      : simplices_{static_cast<std::int8_t>(first), static_cast<std::int8_t>(second),
-                   static_cast<std::int8_t>(third)} {
+      : packed_(static_cast<std::uint8_t>(first | second << 2 | third << 4)) {
     const bool gap = first <= 0 || second < 0 || third < 0 || (second == 0 && third > 0);
-    if (gap || first > max_dimension || second > max_dimension || third > max_dimension ||
-        dimension() > max_dimension) {
+    if (gap || first + second + third > max_dimension) {
       throw std::invalid_argument("a domain is a product of simplices of dimension 1 to 3 in all");
     }
   }
   static const Domain segment, triangle, square;
 
   /// The dimension of a factor's simplex; 0 for a factor that is not there.
-  constexpr int simplex(int factor) const { return simplices_[static_cast<std::size_t>(factor)]; }
-  constexpr int factor_count() const {
-    int count = 0;
-    while (count < max_dimension && simplex(count) > 0) ++count;
-    return count;
-  }
-  constexpr int dimension() const { return simplices_[0] + simplices_[1] + simplices_[2]; }
+  constexpr int simplex(int factor) const { return packed_ >> 2 * factor & 3; }
+  constexpr int factor_count() const { return (simplex(0) > 0) + (simplex(1) > 0) + (simplex(2) > 0); }
+  constexpr int dimension() const { return simplex(0) + simplex(1) + simplex(2); }
 
   bool operator==(const Domain&) const = default;
   auto operator<=>(const Domain&) const = default;
 
  private:
-  std::array<std::int8_t, max_dimension> simplices_;
+  std::uint8_t packed_;  // two bits a factor: elements of meshes hold a shape each
 };
 
 inline constexpr Domain Domain::segment{1};
@@ -68,8 +61,8 @@ class Shape {
 
   /// A triangle of degree 0.
   constexpr Shape() = default;
-  /// Degrees of factors that the domain has not are dropped. Throws std::invalid_argument if a degree does not
-  /// fit in 16 bits (elements are refused long before).
+  /// Degrees of factors that the domain has not are dropped. Throws std::invalid_argument if a degree does
+  /// not fit in 16 bits (elements are refused long before).
   constexpr Shape(Domain of, int first, int second = 0, int third = 0) : domain(of) {
     const std::array<int, max_dimension> given{first, second, third};
     for (int f = 0; f < of.factor_count(); ++f) set_degree(f, given[static_cast<std::size_t>(f)]);
@@ -118,7 +111,8 @@ constexpr std::size_t coefficient_count(Shape shape) {
   return result;
 }
 
-/// The number of rows, and of columns in one row. Precondition of all that speaks of rows: at most two dimensions.
+/// The number of rows, and of columns in one row. Precondition of all that speaks of rows: at most two
+/// dimensions.
 constexpr int row_count(Shape shape) {
   return (shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1)) + 1;
 }
@@ -128,14 +122,13 @@ constexpr int column_count(Shape shape, int row) {
 
 /// Position of the coefficient in row `row`, column `column`.
 constexpr std::size_t coefficient_index(Shape shape, int row, int column) {
-  const int before = row * (shape.degree(0) + 1) -
-                     (shape.domain == Domain::triangle ? row * (row - 1) / 2 : 0);
+  const int before =
+      row * (shape.degree(0) + 1) - (shape.domain == Domain::triangle ? row * (row - 1) / 2 : 0);
   return static_cast<std::size_t>(before + column);
 }
 
 /// Position of the coefficient with the exponents of the affine coordinates, for any domain.
 constexpr std::size_t coefficient_index(Shape shape, const std::array<int, max_dimension>& exponents) {
-  if (shape.dimension() < 3) return coefficient_index(shape, exponents[1], exponents[0]);  // the same, quicker
   std::size_t result = 0, stride = 1, coordinate = 0;
   for (int f = 0; f < shape.factor_count(); ++f) {
     std::array<int, max_dimension> own{};
@@ -166,30 +159,37 @@ constexpr int factor_of_coordinate(Domain domain, int coordinate) {
   return factor;
 }
 
-/// The coefficients whose exponents differ in the first affine coordinate alone; `row` and `layer` are the
-/// exponents of the second and the third.
-struct CoefficientRow {
-  std::size_t first = 0, count = 0;
-  int row = 0, layer = 0;
-};
-
-/// Calls visit(CoefficientRow) for all rows of a shape, in order.
-template <class Visit>
-void for_each_row(Shape shape, Visit visit) {
-  const int dimension = shape.dimension();
-  const int of_row = dimension > 1 ? factor_of_coordinate(shape.domain, 1) : -1;
-  const int of_layer = dimension > 2 ? factor_of_coordinate(shape.domain, 2) : -2;
-  CoefficientRow at;
-  for (at.layer = 0; at.layer <= (dimension > 2 ? shape.degree(of_layer) : 0); ++at.layer) {
-    const int rows = dimension > 1 ? shape.degree(of_row) - (of_row == of_layer ? at.layer : 0) : 0;
-    for (at.row = 0; at.row <= rows; ++at.row) {
-      const int columns = shape.degree(0) - (of_row == 0 ? at.row : 0) - (of_layer == 0 ? at.layer : 0);
-      at.count = static_cast<std::size_t>(columns) + 1;
-      visit(std::as_const(at));
-      at.first += at.count;
-    }
+/// The rows of a shape: coefficients whose exponents differ in the first affine coordinate alone lie
+/// together. The row and the layer are the exponents of the second coordinate and of the third (0 where there
+/// is none).
+class ShapeRows {
+ public:
+  explicit constexpr ShapeRows(Shape shape) : shape_(shape), dimension_(shape.dimension()) {
+    const int of_row = dimension_ > 1 ? factor_of_coordinate(shape.domain, 1) : max_dimension;
+    const int of_layer = dimension_ > 2 ? factor_of_coordinate(shape.domain, 2) : max_dimension;
+    if (dimension_ > 1) rows_ = shape.degree(of_row);
+    if (dimension_ > 2) layers_ = shape.degree(of_layer);
+    columns_less_row_ = of_row == 0;
+    columns_less_layer_ = of_layer == 0;
+    rows_less_layer_ = of_row == of_layer;
   }
-}
+  constexpr int layer_count() const { return layers_ + 1; }
+  constexpr int row_count(int layer) const { return rows_ - rows_less_layer_ * layer + 1; }
+  constexpr int column_count(int row, int layer) const {
+    return shape_.degree(0) - columns_less_row_ * row - columns_less_layer_ * layer + 1;
+  }
+  /// The position of the first coefficient of a row.
+  constexpr std::size_t first(int row, int layer) const {
+    if (dimension_ == 3) return coefficient_index(shape_, {0, row, layer});
+    return static_cast<std::size_t>(row * (shape_.degree(0) + 1) - columns_less_row_ * (row * (row - 1) / 2));
+  }
+
+ private:
+  Shape shape_;
+  int dimension_;
+  int rows_ = 0, layers_ = 0;
+  int columns_less_row_ = 0, columns_less_layer_ = 0, rows_less_layer_ = 0;
+};
 
 /// The corners of a domain by their affine coordinates, each 0 or 1.
 struct DomainCorners {
@@ -198,8 +198,8 @@ struct DomainCorners {
   std::size_t count = 1;
 };
 
-/// In their order: a segment times a segment is walked around (counter-clockwise); every further factor repeats
-/// what there is, one copy a corner of its simplex.
+/// In their order: a segment times a segment is walked around (counter-clockwise); every further factor
+/// repeats what there is, one copy a corner of its simplex.
 constexpr DomainCorners domain_corners(Domain domain) {
   DomainCorners result;
   int dimension = 0;
@@ -220,8 +220,8 @@ constexpr DomainCorners domain_corners(Domain domain) {
 /// The positions of the corner coefficients, in the order of `domain_corners`.
 std::vector<std::size_t> corner_indices(Shape shape);
 
-/// The positions of the coefficients of edge i of a planar domain, which leads from corner i to the next, in that
-/// direction.
+/// The positions of the coefficients of edge i of a planar domain, which leads from corner i to the next, in
+/// that direction.
 std::vector<std::size_t> edge_positions(Shape shape, int edge);
 
 /// The shape of a product. Throws std::invalid_argument if the domains differ.

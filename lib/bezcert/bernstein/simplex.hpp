@@ -1,8 +1,8 @@
 // The order of Bernstein coefficients on one simplex of dimension 1 to 3, and walks through them.
 //
-// The coefficient with exponents m = (m_0, ..., m_d), sum of the degree, stands where the exponents of the last
-// corners come first: by m_d, then by m_(d-1), ..., last by m_1. So lines towards corner 1 lie together, and on a
-// triangle rows run along m_2 and columns along m_1.
+// The coefficient with exponents m = (m_0, ..., m_d), sum of the degree, stands where the exponents of the
+// last corners come first: by m_d, then by m_(d-1), ..., last by m_1. So lines towards corner 1 lie together,
+// and on a triangle rows run along m_2 and columns along m_1.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ constexpr std::size_t simplex_count(int dimension, int degree) {
   return result;
 }
 
-/// The position of the coefficient with exponents m_1, m_2, m_3 (0 beyond the dimension); m_0 is what is left of
-/// the degree.
+/// The position of the coefficient with exponents m_1, m_2, m_3 (0 beyond the dimension); m_0 is what is left
+/// of the degree.
 constexpr std::size_t simplex_position(int degree, const std::array<int, max_dimension>& exponents) {
   std::size_t result = 0;
   for (int k = max_dimension; k >= 1; --k) {
@@ -61,24 +61,24 @@ void for_each_simplex_line(int dimension, int degree, Visit visit) {
 /// elevation and differentiation alike: they relate m to m + e_k.
 template <class Visit>
 void for_each_simplex_point(int dimension, int degree, Visit visit) {
-  for_each_simplex_line(
-      dimension, degree, [&](std::size_t first, std::size_t count, const std::array<int, 2>& line) {
-        const auto [row, layer] = line;
-        SimplexPoint at;
-        at.position = first;
-        at.exponents = {static_cast<int>(count) - 1, 0, row, layer};
-        at.raised[0] = simplex_position(degree + 1, {0, row, layer});
-        at.raised[1] = at.raised[0] + 1;
-        if (dimension > 1) at.raised[2] = simplex_position(degree + 1, {0, row + 1, layer});
-        if (dimension > 2) at.raised[3] = simplex_position(degree + 1, {0, row, layer + 1});
-        for (std::size_t i = 0; i < count; ++i) {
-          visit(at);
-          ++at.position;
-          --at.exponents[0];
-          ++at.exponents[1];
-          for (std::size_t& position : at.raised) ++position;
-        }
-      });
+  for_each_simplex_line(dimension, degree,
+                        [&](std::size_t first, std::size_t count, const std::array<int, 2>& line) {
+                          const auto [row, layer] = line;
+                          SimplexPoint at;
+                          at.position = first;
+                          at.exponents = {static_cast<int>(count) - 1, 0, row, layer};
+                          at.raised[0] = simplex_position(degree + 1, {0, row, layer});
+                          at.raised[1] = at.raised[0] + 1;
+                          if (dimension > 1) at.raised[2] = simplex_position(degree + 1, {0, row + 1, layer});
+                          if (dimension > 2) at.raised[3] = simplex_position(degree + 1, {0, row, layer + 1});
+                          for (std::size_t i = 0; i < count; ++i) {
+                            visit(at);
+                            ++at.position;
+                            --at.exponents[0];
+                            ++at.exponents[1];
+                            for (std::size_t& position : at.raised) ++position;
+                          }
+                        });
 }
 
 }  // namespace bezcert

@@ -32,15 +32,14 @@ class TableCache {
   using Tables = std::map<Shape, std::unique_ptr<const Table>>;
   using Entry = typename Tables::value_type;
 
-  static constexpr std::size_t small = 32, slot_count = 3 * small * small;
+  static constexpr std::size_t slot_count = 4 * 32 * 32;
 
   // No two of segments, triangles and squares of degrees below 32 share a slot.
   static std::size_t slot_of(Shape shape) {
-    const auto degree = [&](int factor) { return static_cast<std::size_t>(shape.degree(factor)); };
-    const std::size_t domain = static_cast<std::size_t>(shape.domain.simplex(0)) +
-                               2 * static_cast<std::size_t>(shape.domain.simplex(1)) +
-                               2 * static_cast<std::size_t>(shape.domain.simplex(2));
-    return ((domain * small + degree(0)) * small + degree(1) + degree(2)) % slot_count;
+    const Domain domain = shape.domain;
+    const int kind = domain.simplex(0) ^ domain.simplex(1) << 1 ^ domain.simplex(2);
+    return static_cast<std::size_t>((kind * 32 + shape.degree(0)) * 32 + shape.degree(1) + shape.degree(2)) %
+           slot_count;
   }
 
   std::mutex mutex_;

@@ -23,7 +23,9 @@ class EdgeView {
     e[(edge_ + 2) % 3] = i;
     return triangle_index(degree(), e);
   }
-  Vector2<T> homogeneous(int i, int j) const { return {net_.coordinates[0][index(i, j)], net_.coordinates[1][index(i, j)]}; }
+  Vector2<T> homogeneous(int i, int j) const {
+    return {net_.coordinates[0][index(i, j)], net_.coordinates[1][index(i, j)]};
+  }
   T weight(int i, int j) const { return net_.rational() ? net_.weights[index(i, j)] : T(1); }
   T tip_weight() const { return weight(degree(), 0); }
 

@@ -38,7 +38,8 @@ template <class T>
 std::pair<std::vector<T>, std::vector<T>> column(const Net<T>& net, int direction) {
   const bool square = net.shape.domain == Domain::square;
   const auto along = [&](const std::vector<T>& values) { return derivative(net.shape, values, direction); };
-  if (!net.rational() && !square) return {along(net.coordinates[0]).coefficients, along(net.coordinates[1]).coefficients};
+  if (!net.rational() && !square)
+    return {along(net.coordinates[0]).coefficients, along(net.coordinates[1]).coefficients};
 
   const Polynomial<T> w = net.rational() ? scaled(Polynomial<T>(net.shape, net.weights)) : Polynomial<T>();
   const Polynomial<T> w_along = net.rational() ? scaled(along(net.weights)) : Polynomial<T>();

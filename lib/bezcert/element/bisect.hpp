@@ -21,10 +21,10 @@ int bisection_shift(Shape shape, int factor) {
 /// The factor that pieces of some depth are cut in: each in turn.
 inline int factor_to_cut(Domain domain, int depth) { return depth % domain.factor_count(); }
 
-/// The two halves of a polynomial, cut in one factor. Square: cut at u = 1/2 (factor 0) or v = 1/2 (1), lower half
-/// first. Triangle (A, B, C): cut from C to the middle M of AB into (C, A, M) and (B, C, M), so that the next cut
-/// again halves the first two corners' side and the newest vertex is last.
-/// Precondition: the factor is a segment or a triangle (tetrahedra need another rule).
+/// The two halves of a polynomial, cut in one factor. Square: cut at u = 1/2 (factor 0) or v = 1/2 (1), lower
+/// half first. Triangle (A, B, C): cut from C to the middle M of AB into (C, A, M) and (B, C, M), so that the
+/// next cut again halves the first two corners' side and the newest vertex is last. Precondition: the factor
+/// is a segment or a triangle (tetrahedra need another rule).
 template <class T>
 std::pair<Polynomial<T>, Polynomial<T>> bisect(const Polynomial<T>& f, int factor) {
   Polynomial<T> left = f;

@@ -104,11 +104,13 @@ Polynomial<T> scaled_numerator(const Net<T>& net) {
 }  // namespace
 
 Shape numerator_shape(Shape element, bool rational) {
-  // det(P*, P*_u, ...) of d + 1 polynomials, or of d derivatives: one degree less in a factor for every derivative
-  // along it, and one less again where homogeneous coordinates cancel the highest (Euler's relation).
+  // det(P*, P*_u, ...) of d + 1 polynomials, or of d derivatives: one degree less in a factor for every
+  // derivative along it, and one less again where homogeneous coordinates cancel the highest (Euler's
+  // relation).
   Shape result = element;
   for (int f = 0; f < element.factor_count(); ++f) {
-    const int degree = (element.dimension() + rational) * element.degree(f) - element.domain.simplex(f) - rational;
+    const int degree =
+        (element.dimension() + rational) * element.degree(f) - element.domain.simplex(f) - rational;
     result = result.raised(f, degree - element.degree(f));
   }
   return result;

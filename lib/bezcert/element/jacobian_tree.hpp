@@ -22,8 +22,8 @@ namespace bezcert {
 
 /// Exact signs of the coefficients of N on one piece.
 struct PieceSigns {
-  bool none_negative = false;           ///< every coefficient is >= 0
-  bool none_positive = false;           ///< every coefficient is <= 0
+  bool none_negative = false;                            ///< every coefficient is >= 0
+  bool none_positive = false;                            ///< every coefficient is <= 0
   std::array<signed char, 1 << max_dimension> corner{};  ///< sign at each corner; the rest unused
 };
 

@@ -6,8 +6,8 @@
 namespace bezcert {
 namespace {
 
-// Evaluation is homogeneous: the barycentric parameters of each factor are integers over one denominator, and the
-// denominators' powers are divided by at the end. Fractions would be reduced at every step.
+// Evaluation is homogeneous: the barycentric parameters of each factor are integers over one denominator, and
+// the denominators' powers are divided by at the end. Fractions would be reduced at every step.
 struct IntegerParameter {
   std::array<std::array<Integer, max_dimension + 1>, max_dimension> barycentric;  // by factor
   std::array<Integer, max_dimension> denominator;                                 // by factor
@@ -48,8 +48,8 @@ Polynomial<Integer> collapse_all(Polynomial<Integer> f, const IntegerParameter& 
 // Column 0 is W, the others X, Y, ...; row 0 holds the values, the others the derivatives by u, v, ...
 using Matrix = std::array<std::array<Integer, max_dimension + 1>, max_dimension + 1>;
 
-// With K the product of the factors' denominators to the powers of their degrees: K times the value; and of the
-// derivative by a coordinate K / (denominator degree) times it, both of that coordinate's factor.
+// With K the product of the factors' denominators to the powers of their degrees: K times the value; and of
+// the derivative by a coordinate K / (denominator degree) times it, both of that coordinate's factor.
 void fill_column(Matrix& matrix, std::size_t column, Shape shape, const std::vector<Integer>& coefficients,
                  const IntegerParameter& at) {
   const Polynomial<Integer> linear = collapse_all(Polynomial<Integer>(shape, coefficients), at, 1);
@@ -60,7 +60,8 @@ void fill_column(Matrix& matrix, std::size_t column, Shape shape, const std::vec
   }
 }
 
-// The determinant of the rows from `row` on in the columns of the set `columns`, as many, by expansion along rows.
+// The determinant of the rows from `row` on in the columns of the set `columns`, as many, by expansion along
+// rows.
 Integer determinant(const Matrix& matrix, std::size_t row, unsigned columns) {
   if (columns == 0) return 1;
   Integer result = 0;

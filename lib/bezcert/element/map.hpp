@@ -1,4 +1,5 @@
-// The map of an element and its Jacobian determinant at one parameter, exactly: evidence that stands on its own.
+// The map of an element and its Jacobian determinant at one parameter, exactly: evidence that stands on its
+// own.
 //
 // De Casteljau's algorithm straight on the control net, nothing of the polynomial N (jacobian.hpp).
 #pragma once
@@ -16,8 +17,8 @@ struct MapValue {
   Rational determinant;
 };
 
-/// Throws std::invalid_argument if the parameter is of another domain. Precondition: W is not 0 there (true on
-/// the closed domain, where W > 0).
+/// Throws std::invalid_argument if the parameter is of another domain. Precondition: W is not 0 there (true
+/// on the closed domain, where W > 0).
 MapValue evaluate_map(const ExactNet& net, const Parameter& parameter);
 
 /// The same, with a net made for this alone.

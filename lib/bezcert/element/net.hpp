@@ -12,8 +12,8 @@
 
 namespace bezcert {
 
-/// Control points (X, Y, ..., W) in coefficient order, one list a coordinate; `weights` is empty where the element is
-/// polynomial, and then (X, Y, ...) are cartesian. Otherwise X = W x, Y = W y, ...
+/// Control points (X, Y, ..., W) in coefficient order, one list a coordinate; `weights` is empty where the
+/// element is polynomial, and then (X, Y, ...) are cartesian. Otherwise X = W x, Y = W y, ...
 template <class T>
 struct Net {
   Shape shape;

@@ -16,7 +16,8 @@ void for_each_factor(Domain domain, Visit visit) {
 
 }  // namespace
 
-Parameter::Parameter(Domain domain, std::vector<Rational> values) : domain_(domain), values_(std::move(values)) {
+Parameter::Parameter(Domain domain, std::vector<Rational> values)
+    : domain_(domain), values_(std::move(values)) {
   if (values_.size() != parameter_size(domain)) {
     throw std::invalid_argument("the number of parameters does not fit the domain");
   }
