@@ -11,8 +11,8 @@
 // Each is the best of three. Ratios are ours / gmsh's in elements a second: above 1 we are faster.
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
-#include "bezcert/mesh/mesh_decider.hpp"
-#include "cross_check.hpp"
+#include "bezcert/check/mesh_decider.hpp"
+#include "bezcert/check/cross_check.hpp"
 #include "gmsh_mesh.hpp"
 
 #include <gmsh.h>
@@ -52,8 +52,8 @@ Outcome decide_all(const Mesh& mesh) {
 void check_all(const Mesh& mesh, const std::vector<const Criterion*>& all) {
   constexpr std::size_t block = 256;
   for (std::size_t i = 0; i < mesh.elements.size(); i += block) {
-    certify::check_elements(mesh, i, std::min(i + block, mesh.elements.size()), all, {}, Filter::on,
-                            [](std::size_t, const certify::CheckedElement&) {});
+    cross_check_elements(mesh, i, std::min(i + block, mesh.elements.size()), all, {}, Filter::on,
+                         [](std::size_t, const CheckedElement&) {});
   }
 }
 

@@ -8,7 +8,7 @@
 // and time against the number of elements.
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
-#include "bezcert/mesh/mesh_decider.hpp"
+#include "bezcert/check/mesh_decider.hpp"
 
 #include "gmsh_mesh.hpp"
 

@@ -4,87 +4,21 @@
 #include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
-#include "bezcert/mesh/mesh_decider.hpp"
+#include "bezcert/report/report.hpp"
 #include "exit_code.hpp"
 #include "memory.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "progress.hpp"
-#include "report.hpp"
-#include "workers.hpp"
+#include "reproducers.hpp"
+#include "subcommand.hpp"
+#include "threads.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 
 namespace bezcert::certify {
 namespace {
-
-// A sound criterion contradicts the decision: keep the element, so that the defect can be found.
-void write_reproducer(const std::string& input, const MeshElement& entry, const Element& element,
-                      const CheckedElement& checked) {
-  std::string what;
-  for (const CheckedCriterion& one : checked.criteria) {
-    if (one.is_defect())
-      what += std::string(one.criterion->name) + " says " + std::string(name(one.verdict.status)) + "; ";
-  }
-  const std::string stem = std::filesystem::path(input).filename().string();
-  const std::string path = "bezcert-contradiction-" + stem + "-" + std::to_string(entry.tag) + ".bez.json";
-  write_file(path, [&](std::ostream& stream) {
-    write_bez_json(stream, element, "element " + std::to_string(entry.tag),
-                   input + ": " + what + "decision " + std::string(name(checked.decision.verdict)));
-  });
-  std::cerr << "certify: a sound criterion contradicts the exact decision; reproducer written to " << path
-            << '\n';
-}
-
-DomainSummary check_domain_of(const Mesh& mesh, const std::string& file, std::span<const InputCurve> curves) {
-  DomainSummary result{file, {}, check_domain(mesh, curves)};
-  for (const InputCurve& curve : curves) result.names.push_back(curve.name);
-  return result;
-}
-
-// Elements that one thread decides at a time.
-constexpr std::size_t block_size = 256;
-
-// What is known of a block. Its memory is used again for another block: threads that ask for memory at every
-// element wait for each other.
-struct CheckedBlock {
-  std::string report;
-  ElementCounts counts;
-  std::vector<ElementClaim> claims;                             // if a certificate is asked for
-  std::vector<std::pair<std::size_t, CheckedElement>> defects;  // sound criteria contradict these
-};
-
-// Any number of blocks at a time: each has its own elements of `states`.
-void check_block(const Mesh& mesh, std::size_t begin, std::size_t end, const CheckOptions& options,
-                 const Report& report, std::vector<ElementState>& states, CheckedBlock& block) {
-  block.report.clear();
-  block.counts.clear(options.criteria.size());
-  block.claims.clear();
-  block.defects.clear();
-  const auto take = [&](std::size_t i, const CheckedElement& checked) {
-    report.element(mesh, i, checked, block.report);
-    block.counts.add(checked);
-    states[i] = state_of(checked.decision);
-    if (!options.certificate.empty()) block.claims.push_back(claim_of(mesh, i, checked.decision));
-    const bool is_defect = std::any_of(checked.criteria.begin(), checked.criteria.end(),
-                                       [](const CheckedCriterion& one) { return one.is_defect(); });
-    if (is_defect) block.defects.emplace_back(i, checked);
-  };
-  check_elements(mesh, begin, end, options.criteria, options.budget, options.filter, take);
-}
-
-// Adds a block to the report and to what is known of the mesh; blocks come in mesh order.
-void take_block(const std::string& input, const Mesh& mesh, const CheckedBlock& block, Summary& summary,
-                Report& report, std::optional<CertificateWriter>& proof) {
-  report.write(block.report);
-  for (const ElementClaim& claim : block.claims) proof->element(claim);
-  summary.add(block.counts);
-  for (const auto& [i, checked] : block.defects) {
-    write_reproducer(input, mesh.elements[i], mesh.element(i), checked);
-  }
-}
 
 struct Input {
   Mesh mesh;
@@ -92,170 +26,188 @@ struct Input {
   bool is_json = false;
 };
 
-Input read_input(const std::string& input, const ReadOptions& options, Workers& workers) {
-  const FileBytes file(input);
+Input read_input(const std::string& path, const CheckArguments& arguments, Executor& threads) {
+  constexpr std::size_t worth_threads = std::size_t{1} << 20;  // bytes: less is read before they have begun
+  const FileBytes file(path);
   const std::string_view bytes = file.view();
   expect_memory(bytes.size() * 3 / 2);
   Input result;
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   result.is_json = begin != bytes.npos && bytes[begin] == '{';
-  ReadOptions with_threads = options;
-  with_threads.parallel = workers.parallel();
-  workers.at_once([&] { result.mesh = read_mesh(input, bytes, with_threads); },
-                  [&] { result.sha256 = sha256(bytes); });
+  ReadOptions options = arguments.read;
+  const auto read = [&] { result.mesh = read_mesh(path, bytes, options); };
+  const auto hash = [&] { result.sha256 = sha256(bytes); };
+  if (bytes.size() < worth_threads || threads.threads() == 1) {
+    read();
+    hash();
+  } else {
+    options.executor = &threads;
+    threads.run(2, [&](std::size_t i) { i == 0 ? read() : hash(); });
+  }
   file.check_unchanged();
   return result;
 }
 
 // What a certificate says of its elements file: the input itself if `verifier` reads it, or the file written
 // for it.
-CertificateHeader header_of(const std::string& name, const Input& input, const CheckOptions& options) {
+CertificateHeader header_of(const std::string& path, const Input& input, const CheckArguments& arguments) {
   const Mesh& mesh = input.mesh;
-  CertificateHeader header{input.sha256, mesh.basis_name, mesh.numbers, mesh.elements.size()};
-  if (!options.elements.empty()) header.elements_sha256 = sha256(read_file(options.elements));
-  if (!options.elements.empty() || input.is_json) {
+  CertificateHeader header{input.sha256, mesh.basis_name, mesh.numbers};
+  if (!arguments.elements.empty()) header.elements_sha256 = sha256(read_file(arguments.elements));
+  if (!arguments.elements.empty() || input.is_json) {
     header.basis = "mixed";
     header.numbers = Numbers::decimal;
   } else if (mesh.elements.front().line == 0) {
-    throw InputError(name, 0,
+    throw InputError(path, 0,
                      "is binary, which verifier does not read: expected --elements=FILE beside --certificate "
                      "(the mesh as exact .bez.json), or an ASCII .msh");
   }
   return header;
 }
 
-Summary check_mesh(const std::string& input, const CheckOptions& options, std::span<const InputCurve> curves,
-                   Workers& workers, Report& report, std::ostream* certificate) {
-  const auto start = std::chrono::steady_clock::now();
-  const Input read = read_input(input, options.read, workers);
-  const Mesh& mesh = read.mesh;
-  if (!options.elements.empty()) {
-    write_file(options.elements, [&](std::ostream& stream) { write_bez_json(stream, mesh); });
-  }
-  std::optional<CertificateWriter> proof;
-  if (certificate != nullptr) proof.emplace(*certificate, header_of(input, read, options));
-  report.begin(input, read.sha256, mesh);
+void warn_of_missing_evidence(const std::string& path, std::size_t count) {
+  if (count == 0) return;
+  std::cerr << "certify: " << path << ": " << count
+            << " verdicts without evidence: it would exceed the limits of the format\n";
+}
 
-  Summary summary;
-  summary.criteria = options.criteria;
-  summary.clear(options.criteria.size());
-  std::vector<ElementState> states(mesh.elements.size());
-  std::optional<MeshTopology> topology;
-  workers.both([&] { topology.emplace(mesh); },
-               [&] {
-                 Progress progress(input, mesh.elements.size());
-                 workers.in_order<CheckedBlock>(
-                     mesh.elements.size(), block_size,
-                     [&](std::size_t begin, std::size_t end, CheckedBlock& block) {
-                       check_block(mesh, begin, end, options, report, states, block);
-                     },
-                     [&](const CheckedBlock& block) {
-                       take_block(input, mesh, block, summary, report, proof);
-                       progress.done(summary.elements);
-                     });
-               });
-  summary.mesh = examine_mesh(std::move(*topology), states, {options.budget.contact, std::nullopt});
-  if (proof) {
-    proof->mesh(mesh, summary.mesh);
-    if (proof->without_evidence() > 0) {
-      std::cerr << "certify: " << options.certificate << ": " << proof->without_evidence()
-                << " verdicts without evidence: it would exceed the limits of the format\n";
+class Check {
+ public:
+  /// `certificate`: where to write it; null if it is not asked for.
+  Check(const CheckArguments& arguments, std::ostream& stream, std::ostream* certificate)
+      : arguments_(arguments),
+        format_(*find_report_format(arguments.format)),
+        stream_(stream),
+        certificate_(certificate),
+        threads_(arguments.jobs) {
+    if (!arguments.curves.empty()) {
+      curves_ = read_bez_json_curves(arguments.curves, read_file(arguments.curves));
     }
   }
-  if (!options.domain.empty()) summary.domain = check_domain_of(mesh, options.domain, curves);
-  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report.end(mesh, summary);
-  return summary;
-}
 
-// Of several meshes the worst code counts.
-int worse(int a, int b) {
-  constexpr int order[] = {exit_contradiction, exit_input_error, exit_invalid, exit_undecided,
-                           exit_certified};
-  for (const int code : order) {
-    if (a == code || b == code) return code;
+  int run() {
+    int code = exit_certified;
+    for (const std::string& path : arguments_.meshes) code = worse(code, check_one(path));
+    return code;
   }
-  return a;
-}
 
-int exit_code_of(const Summary& summary, const CheckOptions& options) {
-  if (summary.defects > 0) return exit_contradiction;
-  const bool embedding = summary.mesh.verdict == MeshVerdict::embedding;
-  const bool undecided = summary.mesh.verdict == MeshVerdict::undecided;
-  if (!embedding && !undecided) return exit_invalid;
-  if (summary.domain && !summary.domain->result.conforming()) return exit_invalid;
-  if (undecided && options.fail_on_undecided) return exit_undecided;
-  return exit_certified;
-}
-
-int check_all(const CheckOptions& options, std::ostream& stream, std::ostream* certificate) {
-  const auto report = options.format == "jsonl" ? make_jsonl_report(stream) : make_text_report(stream);
-  std::vector<InputCurve> curves;
-  if (!options.domain.empty()) curves = read_bez_json_curves(options.domain, read_file(options.domain));
-  Workers workers(options.jobs);
-  int code = exit_certified;
-  for (const std::string& input : options.meshes) {
-    code =
-        worse(code, exit_code_of(check_mesh(input, options, curves, workers, *report, certificate), options));
-  }
-  return code;
-}
-
-// One path for all ways to write it, whether or not there is a file.
-std::filesystem::path place_of(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-}
-
-// No output may be an input or another output.
-void check_outputs(const CheckOptions& options) {
-  if (options.meshes.size() > 1 && !(options.certificate.empty() && options.elements.empty())) {
-    throw InputError(options.certificate.empty() ? options.elements : options.certificate, 0,
-                     "is about one mesh, but there are " + std::to_string(options.meshes.size()) +
-                         ": expected one MESH with --certificate or --elements");
-  }
-  const std::pair<const char*, const std::string*> outputs[] = {
-      {"-o", &options.output}, {"--certificate", &options.certificate}, {"--elements", &options.elements}};
-  for (const auto& [option, output] : outputs) {
-    if (output->empty()) continue;
-    std::error_code error;
-    for (const std::string& input : options.meshes) {
-      if (std::filesystem::equivalent(input, *output, error)) {
-        throw InputError(*output, 0, std::string("is an input: expected another file for ") + option);
-      }
+ private:
+  int check_one(const std::string& path) {
+    const auto started = std::chrono::steady_clock::now();
+    const Input input = read_input(path, arguments_, threads_);
+    if (!arguments_.elements.empty()) {
+      write_file(arguments_.elements, [&](std::ostream& stream) { write_bez_json(stream, input.mesh); });
     }
-    for (const auto& [other_option, other] : outputs) {
-      if (other == output) break;
-      if (other->empty()) continue;
-      const bool same = place_of(*other) == place_of(*output);
-      if (same && std::filesystem::status(*output, error).type() != std::filesystem::file_type::character) {
-        throw InputError(
-            *output, 0,
-            std::string("is given twice: expected different files for ") + other_option + " and " + option);
-      }
+    const auto report = format_.make(stream_, {path, input.sha256, arguments_.curves, started});
+    Reproducers reproducers(path);
+    Progress progress(path);
+    std::optional<CertificateWriter> proof;
+    if (certificate_ != nullptr) proof.emplace(*certificate_, header_of(path, input, arguments_));
+    Observers observers;
+    if (proof) observers.add(*proof);
+    for (CheckObserver* one :
+         {static_cast<CheckObserver*>(report.get()), static_cast<CheckObserver*>(&reproducers),
+          static_cast<CheckObserver*>(&progress)}) {
+      observers.add(*one);
     }
+    const CheckOptions options{arguments_.criteria, arguments_.budget, curves_, &threads_, arguments_.filter};
+    const Outcome outcome = check_mesh(input.mesh, options, observers).outcome();
+    if (proof) warn_of_missing_evidence(arguments_.certificate, proof->without_evidence());
+    const bool passes = outcome == Outcome::undecided && !arguments_.fail_on_undecided;
+    return passes ? exit_certified : exit_code_of(outcome);
   }
-}
+
+  // Of several meshes the worst code counts.
+  static int worse(int a, int b) {
+    for (const int code : {exit_contradiction, exit_input_error, exit_invalid, exit_undecided}) {
+      if (a == code || b == code) return code;
+    }
+    return exit_certified;
+  }
+
+  const CheckArguments& arguments_;
+  const ReportFormat& format_;
+  std::ostream& stream_;
+  std::ostream* certificate_;
+  Threads threads_;
+  std::vector<InputCurve> curves_;
+};
 
 }  // namespace
 
-int check(const CheckOptions& options) {
-  check_outputs(options);
+int check(const CheckArguments& arguments) {
+  const bool is_about_one = !arguments.certificate.empty() || !arguments.elements.empty();
+  if (arguments.meshes.size() > 1 && is_about_one) {
+    throw InputError(arguments.certificate.empty() ? arguments.elements : arguments.certificate, 0,
+                     "is about one mesh, but there are " + std::to_string(arguments.meshes.size()) +
+                         ": expected one MESH with --certificate or --elements");
+  }
+  check_outputs(arguments.meshes, {{"-o", arguments.output},
+                                   {"--certificate", arguments.certificate},
+                                   {"--elements", arguments.elements}});
   int code = exit_certified;
   const auto run = [&](std::ostream* certificate) {
-    if (options.output.empty()) {
-      code = check_all(options, std::cout, certificate);
+    if (arguments.output.empty()) {
+      code = Check(arguments, std::cout, certificate).run();
     } else {
-      write_file(options.output,
-                 [&](std::ostream& stream) { code = check_all(options, stream, certificate); });
+      write_file(arguments.output,
+                 [&](std::ostream& stream) { code = Check(arguments, stream, certificate).run(); });
     }
   };
-  if (options.certificate.empty()) {
+  if (arguments.certificate.empty()) {
     run(nullptr);
   } else {
-    write_file(options.certificate, [&](std::ostream& stream) { run(&stream); });
+    write_file(arguments.certificate, [&](std::ostream& stream) { run(&stream); });
   }
   return code;
+}
+
+Run add_check(CLI::App& command) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  CheckArguments& to = *arguments;
+  std::vector<std::string> formats;
+  std::string format_names;
+  for (const ReportFormat& format : report_formats()) {
+    formats.emplace_back(format.name);
+    format_names += (format_names.empty() ? "" : "|") + formats.back();
+  }
+  command.add_option("MESH", to.meshes, "mesh files: Gmsh .msh or .bez.json")->required();
+  add_read_options(command, to.read);
+  add_criteria_choice(command, to.criteria);
+  command.add_option("--format", to.format, "of the report (default " + formats.front() + ")")
+      ->check(CLI::IsMember(formats))
+      ->option_text(format_names);
+  command.add_option("-o", to.output, "write the report to FILE")->option_text("FILE");
+  command
+      .add_option_function<std::string>(
+          "--fail-on", [&to](const std::string& word) { to.fail_on_undecided = word == "undecided"; },
+          "undecided (default): exit 3 if something is open; invalid: exit 0 then")
+      ->check(CLI::IsMember({"invalid", "undecided"}))
+      ->option_text("invalid|undecided");
+  command
+      .add_option("--domain", to.curves,
+                  "curves (.bez.json) that the mesh must conform to: each exactly covered by edges")
+      ->option_text("CURVES");
+  command
+      .add_option("--certificate", to.certificate,
+                  "write a proof of every verdict to FILE, for `verifier`: of one mesh")
+      ->option_text("FILE");
+  command
+      .add_option("--elements", to.elements,
+                  "write the mesh exactly, as .bez.json, to FILE; a certificate is then about that file")
+      ->option_text("FILE");
+  command
+      .add_option("--jobs", to.jobs,
+                  "threads (default: one a core); the report does not depend on their number")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
+  add_budget(command, to.budget);
+  // For tests: the report must be the same. An empty group is not listed.
+  command
+      .add_flag_callback(
+          "--exact", [&to] { to.filter = Filter::off; }, "integers alone decide about elements")
+      ->group("");
+  return [arguments] { return check(*arguments); };
 }
 
 }  // namespace bezcert::certify

@@ -2,8 +2,7 @@
 // as a whole.
 #pragma once
 
-#include "bezcert/criterion/criterion.hpp"
-#include "bezcert/decide/decide.hpp"
+#include "bezcert/check/check_mesh.hpp"
 #include "bezcert/io/read.hpp"
 
 #include <string>
@@ -11,13 +10,13 @@
 
 namespace bezcert::certify {
 
-struct CheckOptions {
+struct CheckArguments {
   std::vector<std::string> meshes;
   ReadOptions read;
   std::vector<const Criterion*> criteria;
-  std::string format = "text";  ///< "text" or "jsonl"
+  std::string format = "text";  ///< a name of report_formats()
   std::string output;           ///< empty: standard output
-  std::string domain;           ///< a file of curves the meshes are to conform to; empty: none
+  std::string curves;           ///< a file of curves the meshes are to conform to; empty: none
   std::string certificate;      ///< where to write the proof for `verifier`; empty: none. One mesh only.
   std::string elements;         ///< where to write the mesh as exact .bez.json; empty: none. One mesh only.
   bool fail_on_undecided = true;
@@ -27,6 +26,6 @@ struct CheckOptions {
 };
 
 /// The exit code. Throws InputError.
-int check(const CheckOptions& options);
+int check(const CheckArguments& arguments);
 
 }  // namespace bezcert::certify

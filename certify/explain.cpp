@@ -1,20 +1,32 @@
-#include "explain.hpp"
-
+// certify explain: everything known of one element.
+#include "bezcert/check/cross_check.hpp"
 #include "bezcert/criterion/subdivision.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/number/parse.hpp"
+#include "bezcert/report/decision_text.hpp"
+#include "bezcert/report/mesh_text.hpp"
+#include "bezcert/report/text_report.hpp"
 #include "exit_code.hpp"
-#include "mesh_text.hpp"
-#include "report.hpp"
+#include "options.hpp"
+#include "subcommand.hpp"
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 
 namespace bezcert::certify {
 namespace {
 
-std::size_t find_element(const Mesh& mesh, const ExplainOptions& options) {
+struct ExplainArguments {
+  std::string mesh;
+  /// Its number in the file (place from 1 where the format has no numbers), or its name.
+  std::string element;
+  ReadOptions read;
+  Budget budget;
+};
+
+std::size_t find_element(const Mesh& mesh, const ExplainArguments& options) {
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
     if (std::to_string(mesh.elements[i].tag) == options.element) return i;
   }
@@ -147,8 +159,8 @@ void print_mesh_obstacles(const Mesh& mesh, std::size_t index, const CheckedElem
   std::cout << "in the mesh\n";
   std::size_t listed = 0;
   for (const MeshObstacle& obstacle : result.obstacles.all()) {
-    if (obstacle.kind == MeshVerdict::invalid_element) continue;  // said above of this one
-    std::cout << "  " << name(obstacle.kind) << ": " << describe(obstacle) << '\n';
+    if (obstacle.kind() == MeshVerdict::invalid_element) continue;  // said above of this one
+    std::cout << "  " << name(obstacle.kind()) << ": " << describe(mesh, obstacle) << '\n';
     ++listed;
   }
   if (listed == 0) std::cout << "  no obstacle names this element\n";
@@ -167,15 +179,12 @@ int exit_code_of(const CheckedElement& checked) {
   return checked.decision.verdict == ElementVerdict::injective ? exit_certified : exit_undecided;
 }
 
-}  // namespace
-
-int explain(const ExplainOptions& options) {
+// The exit code that `check` would give for this element.
+int explain(const ExplainArguments& options) {
   const Mesh mesh = read_mesh(options.mesh, read_file(options.mesh), options.read);
   const std::size_t index = find_element(mesh, options);
   const Element element = mesh.element(index);
-  std::vector<const Criterion*> all;
-  for (const Criterion& criterion : criteria()) all.push_back(&criterion);
-  const CheckedElement checked = check_element(element, all, options.budget);
+  const CheckedElement checked = check_element(element, all_criteria(), options.budget);
   const Decision& decision = checked.decision;
   const Forms forms(element);
 
@@ -184,11 +193,11 @@ int explain(const ExplainOptions& options) {
   print_net(element);
   std::cout << "verdict: " << name(decision.verdict) << '\n';
   if (is_regular(decision.verdict) || decision.verdict == ElementVerdict::reversed) {
-    std::cout << "  sign of det J by " << decision.sign_proof << ", " << decision.pieces << " pieces\n";
+    std::cout << "  sign of det J by " << name(decision.sign_proof) << ", " << decision.pieces << " pieces\n";
   }
-  if (!decision.injectivity_proof.empty())
-    std::cout << "  injective by " << decision.injectivity_proof << '\n';
-  if (!decision.open.empty()) std::cout << "  open: " << decision.open << '\n';
+  if (decision.injectivity_proof != InjectivityProof::none)
+    std::cout << "  injective by " << name(decision.injectivity_proof) << '\n';
+  if (!decision.exhausted.empty()) std::cout << "  open: " << open_text(decision) << '\n';
   if (decision.witness) print_witness("witness", *decision.witness);
   if (decision.other_witness) print_witness("det J is not negative everywhere", *decision.other_witness);
   if (decision.zero) print_zero(*decision.zero, element.is_triangle());
@@ -200,6 +209,21 @@ int explain(const ExplainOptions& options) {
   print_criteria(checked);
   print_mesh_obstacles(mesh, index, checked, options.budget);
   return exit_code_of(checked);
+}
+
+}  // namespace
+
+Run add_explain(CLI::App& command) {
+  const auto arguments = std::make_shared<ExplainArguments>();
+  command.add_option("MESH", arguments->mesh, "mesh file")->required();
+  command
+      .add_option("--element", arguments->element,
+                  "its number in the file (.bez.json: its place, from 1) or its name")
+      ->required()
+      ->option_text("N");
+  add_read_options(command, arguments->read);
+  add_budget(command, arguments->budget);
+  return [arguments] { return explain(*arguments); };
 }
 
 }  // namespace bezcert::certify

@@ -79,7 +79,7 @@ void check(const DoubleNet& net, Seen& seen) {
   if (net.shape.degree(0) <= 3 && net.shape.degree(1) <= 2 && seen.settled % 4 == 0) {
     ++seen.hull;
     const auto proof = prove_injective(Forms(element, Filter::off));
-    if (proof != (table->midpoint ? "midpoint" : "jacobian_hull")) {
+    if (proof != (table->midpoint ? InjectivityProof::midpoint : InjectivityProof::jacobian_hull)) {
       INFO(show(net));
       FAIL_CHECK("settled, but jacobian_hull does not hold");
     }

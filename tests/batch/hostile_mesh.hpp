@@ -2,7 +2,7 @@
 // but for rounding, elements far from the origin, of all sizes, and elements that a block only just settles.
 #pragma once
 
-#include "bezcert/mesh/mesh_decider.hpp"
+#include "bezcert/check/mesh_decider.hpp"
 #include "random_input.hpp"
 
 #include <cmath>

@@ -96,7 +96,7 @@ TEST_CASE("halves are the parts of split at 1/2, with the corners of a triangle 
 TEST_CASE("halves of interval polynomials contain the exact halves, without shift, and stay narrow") {
   const std::uint64_t seed = seed_or(243);
   Random random(seed);
-  const RoundingScope scope;
+  const RoundUp up;
   long inexact = 0, exact_halves = 0;
   for (const Shape shape : all_shapes(7)) {
     for (int direction = 0; direction < direction_count(shape); ++direction) {

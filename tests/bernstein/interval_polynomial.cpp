@@ -44,7 +44,7 @@ Rational width(const Polynomial<Interval>& f) {
 TEST_CASE("operations on interval polynomials contain the exact ones and stay narrow") {
   const std::uint64_t seed = seed_or(221);
   Random random(seed);
-  const RoundingScope scope;
+  const RoundUp up;
   const Rational narrow(1, 1000000);  // coefficients are below 60, degrees below 13: error far below this
   long cases = 0, inexact = 0;
   for (const Shape shape : all_shapes(6)) {

@@ -118,7 +118,7 @@ TEST_CASE("scale tables: the least common multiple, cofactors, and intervals tha
 TEST_CASE("to_scaled and from_scaled multiply by the common multiple, in integers and intervals") {
   const std::uint64_t seed = seed_or(232);
   Random random(seed);
-  const RoundingScope scope;
+  const RoundUp up;
   for (const Shape shape : all_shapes(7)) {
     const Polynomial<Integer> f = random_integer_polynomial(random, shape);
     Polynomial<Integer> exact = f;

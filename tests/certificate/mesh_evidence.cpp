@@ -73,7 +73,7 @@ Outcome outcome_of(const Mesh& mesh) {
   const MeshResult decided = examine_mesh(mesh, states);
   std::ostringstream evidence, json;
   Outcome result;
-  result.complete = write_mesh_evidence(evidence, mesh, decided, states);
+  result.complete = write_mesh_evidence(evidence, decided, states);
   result.verdict = decided.verdict;
   result.text = evidence.str();
   write_bez_json(json, mesh);
@@ -210,6 +210,6 @@ TEST_CASE("what certificates do not claim of elements they do not use") {
   CHECK(decided.verdict == MeshVerdict::embedding);
   states[0] = ElementState::open;
   std::ostringstream evidence;
-  CHECK_FALSE(write_mesh_evidence(evidence, mesh, decided, states));
+  CHECK_FALSE(write_mesh_evidence(evidence, decided, states));
   CHECK(evidence.str() == "mesh undecided\n");
 }

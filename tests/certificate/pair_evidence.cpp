@@ -148,7 +148,9 @@ TEST_CASE("the corpus has evidence for every simple boundary") {
     const Element element = mesh.element(0);
     const Forms forms(element), exact(element, Filter::off);
     const Decision decision = decide(forms);
-    if (decision.verdict != ElementVerdict::injective || decision.injectivity_proof != "boundary") continue;
+    if (decision.verdict != ElementVerdict::injective ||
+        decision.injectivity_proof != InjectivityProof::boundary)
+      continue;
     ++count;
     const auto text = boundary_evidence(forms);
     REQUIRE(text);

@@ -46,7 +46,7 @@ const std::string folded =
     std::string(BEZCERT_SOURCE_DIR) + "/corpus/elements/control-net-folded-quadratic.bez.json";
 
 int run(std::vector<const Criterion*> criteria, const std::string& output) {
-  CheckOptions options;
+  CheckArguments options;
   options.meshes = {folded};
   options.criteria = std::move(criteria);
   options.output = output;

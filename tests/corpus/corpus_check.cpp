@@ -8,10 +8,10 @@
 #include "bezcert/io/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/read.hpp"
-#include "bezcert/mesh/domain.hpp"
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/domain.hpp"
+#include "bezcert/surface/embedding.hpp"
 #include "bezcert/number/parse.hpp"
-#include "cross_check.hpp"
+#include "bezcert/check/cross_check.hpp"
 
 #include <fstream>
 #include <iostream>
@@ -66,12 +66,6 @@ std::set<std::string> read_names(const std::string& path) {
   return names;
 }
 
-std::vector<const Criterion*> all_criteria() {
-  std::vector<const Criterion*> all;
-  for (const Criterion& criterion : criteria()) all.push_back(&criterion);
-  return all;
-}
-
 // zeros.tsv: the dimension of the zero set of det J; where it is finite, all zeros to 12 decimals.
 void check_zero(const std::string& corpus, const std::string& name,
                 const std::optional<AlgebraicZero>& zero) {
@@ -108,7 +102,7 @@ void check_element(const std::string& corpus, const std::string& file) {
   expect(!expected.empty(), "the file has an expected verdict");
 
   const Element element = mesh.element(0);
-  const certify::CheckedElement checked = certify::check_element(element, all_criteria(), {});
+  const CheckedElement checked = check_element(element, all_criteria(), {});
   const std::string verdict(bezcert::name(checked.decision.verdict));
   expect(verdict == expected, "the verdict is " + verdict + ", expected " + expected);
   const bool beyond = read_names(corpus + "/beyond_subdivision.txt").contains(name);
@@ -135,7 +129,7 @@ void check_element(const std::string& corpus, const std::string& file) {
     if (row.at("element") == name) statuses[row.at("criterion")] = row.at("status");
   }
   expect(statuses.size() == 4, "criteria.tsv has four rows for the element");
-  for (const certify::CheckedCriterion& one : checked.criteria) {
+  for (const CheckedCriterion& one : checked.criteria) {
     const std::string status(bezcert::name(one.verdict.status));
     const std::string criterion(one.criterion->name);
     if (statuses.contains(criterion)) {
@@ -159,7 +153,7 @@ void check_mesh(const std::string& corpus, const std::string& file) {
   std::map<std::string, std::size_t> seen;
   std::map<std::string, std::pair<std::string, DeterminantBounds>> bad;
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    const certify::CheckedElement checked = certify::check_element(mesh.element(i), all_criteria(), {});
+    const CheckedElement checked = check_element(mesh.element(i), all_criteria(), {});
     const ElementVerdict verdict = checked.decision.verdict;
     ++seen["elements"];
     ++seen[mesh.elements[i].shape.domain == Domain::triangle ? "triangles" : "quadrilaterals"];
@@ -221,7 +215,7 @@ void check_whole(const std::string& corpus, const std::string& file) {
   const Mesh mesh = read_mesh(path, read_file(path));
   std::vector<ElementState> states;
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    states.push_back(certify::state_of(decide(Forms(mesh.element(i)))));
+    states.push_back(state_of(decide(Forms(mesh.element(i)))));
   }
   const MeshResult result = examine_mesh(mesh, states);
   bool found = false;
@@ -240,7 +234,7 @@ void check_whole(const std::string& corpus, const std::string& file) {
     compare("area", result.area && result.area->is_exact() ? to_string(result.area->lower) : "unknown");
     std::set<std::string> elements, nodes;
     for (const MeshObstacle& obstacle : result.obstacles.all()) {
-      if (obstacle.kind != result.verdict) continue;
+      if (obstacle.kind() != result.verdict) continue;
       for (const std::uint32_t i : obstacle.elements) elements.insert(std::to_string(mesh.elements[i].tag));
       for (const std::uint32_t i : obstacle.nodes) nodes.insert(std::to_string(i));
     }
@@ -257,7 +251,7 @@ void check_whole(const std::string& corpus, const std::string& file) {
   for (const Row& row : read_table(corpus + "/whole/domain.tsv")) {
     if (row.at("mesh") != base) continue;
     const std::string curves_path = corpus + "/whole/" + row.at("curves");
-    const DomainResult domain = check_domain(mesh, read_bez_json_curves(curves_path, read_file(curves_path)));
+    const DomainResult domain = check_domain(*result.surface, read_bez_json_curves(curves_path, read_file(curves_path)));
     const std::string verdict = domain.conforming() ? "conforming" : "not_conforming";
     expect(verdict == row.at("verdict"),
            row.at("curves") + ": " + verdict + ", expected " + row.at("verdict"));

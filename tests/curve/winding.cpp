@@ -14,6 +14,14 @@ CurveNet<Integer> net(std::vector<Integer> x, std::vector<Integer> y, std::vecto
   return {std::move(x), std::move(y), std::move(w)};
 }
 
+CurveNet<Interval> intervals(const CurveNet<Integer>& net) {
+  CurveNet<Interval> result;
+  for (const Integer& c : net.x) result.x.push_back(to_interval(c));
+  for (const Integer& c : net.y) result.y.push_back(to_interval(c));
+  for (const Integer& c : net.w) result.w.push_back(to_interval(c));
+  return result;
+}
+
 // The unit circle in quarters ((1 - t^2), 2 t, 1 + t^2), turned; each as homogeneous control points.
 std::vector<CurveNet<Integer>> circle() {
   return {net({1, 1, 0}, {0, 1, 2}, {1, 1, 2}), net({0, -1, -2}, {1, 1, 0}, {1, 1, 2}),
@@ -23,9 +31,10 @@ std::vector<CurveNet<Integer>> circle() {
 int winding(const std::vector<CurveNet<Integer>>& chain, const Point& point) {
   int sum = 0;
   for (const CurveNet<Integer>& one : chain) {
-    DyadicCurve curve(std::nullopt, one);
+    DyadicCurve curve(std::nullopt, one), with_intervals(intervals(one), one);
     const std::optional<int> share = winding_share(curve, point);
     REQUIRE(share);
+    CHECK(winding_share(with_intervals, point) == share);
     sum += *share;
   }
   return sum;

@@ -5,6 +5,7 @@
 // else: a plain subdivision where that proves the sign, otherwise the critical points of det J
 // (critical_points.hpp).
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/report/decision_text.hpp"
 #include "critical_points.hpp"
 #include "degenerate_nets.hpp"
 #include "rational_polynomial.hpp"
@@ -242,10 +243,10 @@ void check(Random& random, const TestNet& net, int oracle_share, Tally& tally) {
   const Table n = jacobian_table(net.element);
   ++tally.seen["verdict " + std::string(name(decision.verdict))];
   ++tally.seen["verdict " + std::string(name(decision.verdict)) + " of " + net.kind];
-  ++tally.seen[std::string("sign by ") + std::string(decision.sign_proof)];
+  ++tally.seen[std::string("sign by ") + std::string(name(decision.sign_proof))];
   ++tally.seen[element.rational() ? "rational" : "polynomial"];
   ++tally.seen[element.is_triangle() ? "triangle" : "quadrilateral"];
-  CAPTURE(name(decision.verdict), decision.open);
+  CAPTURE(name(decision.verdict), open_text(decision));
 
   std::optional<LowestSign> lowest;
   const auto oracle = [&]() -> const LowestSign& {
@@ -322,7 +323,7 @@ void check(Random& random, const TestNet& net, int oracle_share, Tally& tally) {
       REQUIRE(is_positive(n));
       check_injectivity(random, net, decision, tally);
       return;
-    default: FAIL("not decided: " << decision.open);
+    default: FAIL("not decided: " << open_text(decision));
   }
 }
 

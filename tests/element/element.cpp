@@ -148,8 +148,8 @@ TEST_CASE("the integer net is the element relative to its first point, the inter
         INFO("seed " << seed << ", " << show(net));
         if (exact.scale <= 0) FAIL("scale");
         if (exact.net.shape != shape || exact.net.rational() != element.rational()) FAIL("shape or weights");
-        const RoundingScope scope;
-        const IntervalNet intervals = interval_net(element);
+        const RoundUp up;
+        const IntervalNet intervals = interval_net(up, element);
         if (certain_sign(intervals.scale) != 1) FAIL("interval scale");
         if (intervals.net.shape != shape || intervals.net.rational() != element.rational())
           FAIL("interval form");
@@ -185,7 +185,6 @@ TEST_CASE("orientations of control points have the sign of the triangle's area, 
   const std::uint64_t seed = seed_or(322);
   Random random(seed);
   long seen[3] = {}, rational = 0, exact_was_needed = 0, filter_sufficed = 0;
-  const RoundingScope scope;
   for (int i = 0; i < 1500; ++i) {
     const Shape shape = random.chance(50) ? Shape::triangle(3) : Shape::square(2, 2);
     const Points points = random_points(random);
@@ -201,8 +200,8 @@ TEST_CASE("orientations of control points have the sign of the triangle's area, 
     const Forms off(element, Filter::off);
     const auto expression = [=](const auto& form) { return orientation(form, a, b, c); };
     INFO("seed " << seed << ", points " << a << " " << b << " " << c << " of " << show(net));
-    if (on.sign_of(scope, expression) != area.sign()) FAIL("filter on");
-    if (off.sign_of(scope, expression) != area.sign()) FAIL("filter off");
+    if (on.sign_of(expression) != area.sign()) FAIL("filter on");
+    if (off.sign_of(expression) != area.sign()) FAIL("filter off");
     if (!off.went_exact()) FAIL("filter off did not go exact");
     // A positive multiple: of 2 area, by w_a w_b w_c and the scale.
     const Net<Integer>& integers = off.exact().net;
@@ -223,7 +222,6 @@ TEST_CASE("orientations of control points have the sign of the triangle's area, 
 TEST_CASE("forms compute the numerator and weight of their element once") {
   const std::uint64_t seed = seed_or(323);
   Random random(seed);
-  const RoundingScope scope;
   for (const Weights weights : all_weights) {
     const ControlNet net = random_net(random, Shape::triangle(3), Points::fractions, weights);
     const Element element = bernstein_element(net);
@@ -231,7 +229,8 @@ TEST_CASE("forms compute the numerator and weight of their element once") {
     CHECK(&forms.element() == &element);
     CHECK(forms.filter() == Filter::on);
     CHECK_FALSE(forms.went_exact());
-    CHECK(forms.interval_jacobian().numerator.shape == numerator_shape(net.shape, element.rational()));
+    CHECK(forms.interval_jacobian(RoundUp()).numerator.shape ==
+          numerator_shape(net.shape, element.rational()));
     CHECK_FALSE(forms.went_exact());
     CHECK(forms.exact_jacobian().numerator.coefficients ==
           jacobian_numerator(exact_net(element).net).coefficients);
@@ -239,6 +238,6 @@ TEST_CASE("forms compute the numerator and weight of their element once") {
           weight_polynomial(exact_net(element).net).coefficients);
     CHECK(forms.went_exact());
     CHECK(&forms.exact_jacobian() == &forms.exact_jacobian());
-    CHECK(&forms.interval_jacobian() == &forms.interval_jacobian());
+    CHECK(&forms.interval_jacobian(RoundUp()) == &forms.interval_jacobian(RoundUp()));
   }
 }

@@ -2,6 +2,7 @@
 #include "element/random_net.hpp"
 
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/report/decision_text.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -51,8 +52,8 @@ std::string text(const Decision& d) {
   return std::string(name(d.verdict)) + ", witness " + text(d.witness) + ", other " + text(d.other_witness) +
          ", bounds " + text(d.bounds.min_lower) + " " + text(d.bounds.min_upper) + " " +
          text(d.bounds.max_lower) + " " + text(d.bounds.max_upper) + ", sign proof " +
-         std::string(d.sign_proof) + ", injectivity proof " + std::string(d.injectivity_proof) + ", open " +
-         d.open + ", pieces " + std::to_string(d.pieces) +
+         std::string(name(d.sign_proof)) + ", injectivity proof " + std::string(name(d.injectivity_proof)) +
+         ", open " + open_text(d) + ", pieces " + std::to_string(d.pieces) +
          (d.zero ? ", zero " + text(d.zero->at.u) + " " + text(d.zero->at.v) + " dimension " +
                        std::to_string(d.zero->dimension)
                  : "") +

@@ -52,8 +52,8 @@ void check_element(const ControlNet& net, Random& random, int parameters) {
     const auto [x, y] = point_at(net, at);
     if (value.place != Values{x, y}) FAIL("place");
   }
-  const RoundingScope scope;
-  const IntervalNet intervals = interval_net(element);
+  const RoundUp up;
+  const IntervalNet intervals = interval_net(up, element);
   const Polynomial<Interval> ni = jacobian_numerator(intervals.net);
   const Polynomial<Interval> wi = weight_polynomial(intervals.net);
   if (ni.shape != n.shape) FAIL("shape of the interval N");
@@ -216,8 +216,8 @@ TEST_CASE("interval numerators of very large and very small elements stay finite
       const Element element = bernstein_element(net);
       const ExactNet exact = exact_net(element);
       const Polynomial<Integer> n = jacobian_numerator(exact.net);
-      const RoundingScope scope;
-      const IntervalNet intervals = interval_net(element);
+      const RoundUp up;
+      const IntervalNet intervals = interval_net(up, element);
       const Polynomial<Interval> ni = jacobian_numerator(intervals.net);
       long certain = 0;
       for (std::size_t m = 0; m < n.coefficients.size(); ++m) {

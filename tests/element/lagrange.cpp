@@ -178,8 +178,8 @@ TEST_CASE("an element given by nodes is the element that was sampled") {
           degree_factor(shape) * exact.scale * exact.scale / Rational(numerator_multiple(n.shape));
       if (factor * explicit_value(n, at) != direct_determinant(net, at) * weight * weight * weight) FAIL("N");
       // Intervals contain the same net, up to one factor of all weights.
-      const RoundingScope scope;
-      const IntervalNet intervals = interval_net(element);
+      const RoundUp up;
+      const IntervalNet intervals = interval_net(up, element);
       const auto wi = [&](std::size_t m) {
         return intervals.net.rational() ? intervals.net.weights[m] : Interval(1);
       };

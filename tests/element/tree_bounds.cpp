@@ -46,7 +46,6 @@ std::vector<std::size_t> random_subset(Random& random, const std::vector<std::si
 TEST_CASE("bounds over pieces contain det J, filter on and off alike") {
   const std::uint64_t seed = seed_or(341);
   Random random(seed);
-  const RoundingScope scope;
   long rational = 0, polynomial = 0, samples = 0, around_zero = 0, filter_sufficed = 0, exact_with_filter = 0;
   for (int i = 0; i < 300; ++i) {
     const ControlNet net = tree_net(random, 4, 3);
@@ -65,8 +64,8 @@ TEST_CASE("bounds over pieces contain det J, filter on and off alike") {
     }
     const auto pieces = random.chance(50) ? replay.leaves() : random_subset(random, replay.leaves());
     const int bits = random.chance(50) ? report_bits : static_cast<int>(random.integer(2, 40));
-    const DeterminantBounds b = tree_on.bounds(scope, pieces, bits);
-    const DeterminantBounds exact = tree_off.bounds(scope, pieces, bits);
+    const DeterminantBounds b = tree_on.bounds(pieces, bits);
+    const DeterminantBounds exact = tree_off.bounds(pieces, bits);
     INFO("seed " << seed << ", case " << i << ", bits " << bits << ", " << test::show(net));
     INFO(show(b));
     if (!same(b, exact)) FAIL("without the filter " << show(exact));
@@ -99,7 +98,6 @@ TEST_CASE("bounds over pieces contain det J, filter on and off alike") {
 TEST_CASE("the inner bounds are det J at the best corner, rounded outwards") {
   const std::uint64_t seed = seed_or(342);
   Random random(seed);
-  const RoundingScope scope;
   long rational = 0;
   for (int i = 0; i < 200; ++i) {
     const ControlNet net = tree_net(random, 3, 2);
@@ -109,7 +107,7 @@ TEST_CASE("the inner bounds are det J at the best corner, rounded outwards") {
     ReplayedTree replay(net);
     split_randomly(random, tree, replay, 5);
     const auto pieces = random_subset(random, replay.leaves());
-    const DeterminantBounds b = tree.bounds(scope, pieces);
+    const DeterminantBounds b = tree.bounds(pieces);
     const auto [low, high] = corner_extremes(net, replay, pieces);
     INFO("seed " << seed << ", case " << i << ", " << test::show(net));
     INFO(show(b) << ", corners from " << low << " to " << high);
@@ -123,7 +121,6 @@ TEST_CASE("the inner bounds are det J at the best corner, rounded outwards") {
 TEST_CASE("the outer bounds of a polynomial element are its extreme coefficients, rounded outwards") {
   const std::uint64_t seed = seed_or(343);
   Random random(seed);
-  const RoundingScope scope;
   for (int i = 0; i < 200; ++i) {
     const auto shapes = element_shapes(4, 3);
     const Shape shape =
@@ -135,7 +132,7 @@ TEST_CASE("the outer bounds of a polynomial element are its extreme coefficients
     ReplayedTree replay(net);
     split_randomly(random, tree, replay, 5);
     const auto pieces = random_subset(random, replay.leaves());
-    const DeterminantBounds b = tree.bounds(scope, pieces);
+    const DeterminantBounds b = tree.bounds(pieces);
     const ExactNet exact = exact_net(element);
     const Rational factor = degree_factor(shape) * exact.scale * exact.scale /
                             Rational(numerator_multiple(numerator_shape(shape, false)));
@@ -154,7 +151,6 @@ TEST_CASE("the outer bounds of a polynomial element are its extreme coefficients
 TEST_CASE("known extremes lie between the bounds: det J constant, and rational triangles of degree 1") {
   const std::uint64_t seed = seed_or(344);
   Random random(seed);
-  const RoundingScope scope;
   long constant = 0, projective = 0, zero = 0;
   const JacobianTree::Piece root[] = {JacobianTree::root};
   for (int i = 0; i < 600; ++i) {
@@ -165,7 +161,7 @@ TEST_CASE("known extremes lie between the bounds: det J constant, and rational t
     const Element element = bernstein_element(net);
     const Forms forms(element, i % 2 == 0 ? Filter::on : Filter::off);
     JacobianTree tree(forms);
-    const DeterminantBounds b = tree.bounds(scope, root);
+    const DeterminantBounds b = tree.bounds(root);
     INFO("seed " << seed << ", case " << i << ", " << test::show(net));
     INFO(show(b));
     // N is constant and W linear: det J = N / W^3 is extreme at corners.
@@ -191,7 +187,6 @@ TEST_CASE("known extremes lie between the bounds: det J constant, and rational t
 TEST_CASE("bounds close in under subdivision") {
   const std::uint64_t seed = seed_or(345);
   Random random(seed);
-  const RoundingScope scope;
   long narrowed = 0;
   for (const Shape shape : element_shapes(3, 2)) {
     for (int i = 0; i < 10; ++i) {
@@ -201,7 +196,7 @@ TEST_CASE("bounds close in under subdivision") {
       const Forms forms(element);
       JacobianTree tree(forms);
       std::vector<JacobianTree::Piece> level{JacobianTree::root};
-      const DeterminantBounds first = tree.bounds(scope, level, 30);
+      const DeterminantBounds first = tree.bounds(level, 30);
       for (int depth = 0; depth < 8; ++depth) {
         std::vector<JacobianTree::Piece> next;
         for (const auto piece : level) {
@@ -210,7 +205,7 @@ TEST_CASE("bounds close in under subdivision") {
         }
         level = next;
       }
-      const DeterminantBounds last = tree.bounds(scope, level, 30);
+      const DeterminantBounds last = tree.bounds(level, 30);
       const auto gap = [](const DeterminantBounds& b) {
         return Rational(to_rational(b.min_upper) - to_rational(b.min_lower) + to_rational(b.max_upper) -
                         to_rational(b.max_lower));

@@ -159,7 +159,6 @@ TEST_CASE("the replayed coefficients are N on the piece: they give det J at its 
 TEST_CASE("signs of pieces are the exact signs of the coefficients, filter on and off") {
   const std::uint64_t seed = seed_or(333);
   Random random(seed);
-  const RoundingScope scope;
   long positive = 0, negative = 0, mixed = 0, zero_corners = 0, all_zero = 0, nonnegative_with_zero = 0;
   long exact_with_filter = 0, filter_sufficed = 0;
   for (int i = 0; i < 500; ++i) {
@@ -177,16 +176,15 @@ TEST_CASE("signs of pieces are the exact signs of the coefficients, filter on an
           leaves[static_cast<std::size_t>(random.integer(0, static_cast<long>(leaves.size()) - 1))];
       // Ask some pieces before their children, others not: forms are made on demand.
       if (random.chance(50)) {
-        if (!same_signs(tree_on.signs(scope, piece), expected_signs(replay[piece].numerator)))
-          FAIL("before split");
+        if (!same_signs(tree_on.signs(piece), expected_signs(replay[piece].numerator))) FAIL("before split");
       }
       split_both(tree_on, replay, piece);
       tree_off.split(piece);
     }
     for (std::size_t piece = 0; piece < replay.size(); ++piece) {
       const PieceSigns expected = expected_signs(replay[piece].numerator);
-      const PieceSigns with_filter = tree_on.signs(scope, piece);
-      const PieceSigns without = tree_off.signs(scope, piece);
+      const PieceSigns with_filter = tree_on.signs(piece);
+      const PieceSigns without = tree_off.signs(piece);
       if (!same_signs(with_filter, expected)) FAIL("filter on, piece " << piece);
       if (!same_signs(without, expected)) FAIL("filter off, piece " << piece);
       const auto corners = static_cast<std::ptrdiff_t>(tree_on.corner_count());
@@ -220,7 +218,6 @@ TEST_CASE("signs of pieces are the exact signs of the coefficients, filter on an
 TEST_CASE("a corner's sign is the sign of det J at its parameter, and proofs hold at sampled parameters") {
   const std::uint64_t seed = seed_or(334);
   Random random(seed);
-  const RoundingScope scope;
   long corners = 0, sampled_positive = 0, sampled_negative = 0;
   for (int i = 0; i < 120; ++i) {
     const ControlNet net = tree_net(random, 3, 2);
@@ -231,7 +228,7 @@ TEST_CASE("a corner's sign is the sign of det J at its parameter, and proofs hol
     split_randomly(random, tree, replay, 10);
     INFO("seed " << seed << ", case " << i << ", " << show(net));
     for (std::size_t piece = 0; piece < tree.piece_count(); ++piece) {
-      const PieceSigns signs = tree.signs(scope, piece);
+      const PieceSigns signs = tree.signs(piece);
       for (std::size_t k = 0; k < tree.corner_count(); ++k) {
         if (direct_determinant(net, tree.corner(piece, k).values()).sign() != signs.corner[k])
           FAIL("piece " << piece);
@@ -266,7 +263,6 @@ TEST_CASE("corners stay exact far down") {
     CHECK(tree.depth(piece) == 150);
     for (std::size_t k = 0; k < tree.corner_count(); ++k)
       CHECK(tree.corner(piece, k).values() == replay[piece].corners[k]);
-    const RoundingScope scope;
-    CHECK(tree.proves_positive(tree.signs(scope, piece)));
+    CHECK(tree.proves_positive(tree.signs(piece)));
   }
 }

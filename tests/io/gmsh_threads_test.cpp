@@ -14,17 +14,22 @@ namespace bezcert::test {
 namespace {
 
 // Two threads, one of which goes backwards.
-void two_threads(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::thread other([&] {
-    for (std::size_t i = count; i-- > count / 2;) work(i);
-  });
-  for (std::size_t i = 0; i < count / 2; ++i) work(i);
-  other.join();
-}
+class TwoThreads : public Executor {
+ public:
+  std::size_t threads() const override { return 2; }
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) override {
+    std::thread other([&] {
+      for (std::size_t i = count; i-- > count / 2;) work(i);
+    });
+    for (std::size_t i = 0; i < count / 2; ++i) work(i);
+    other.join();
+  }
+};
 
 ReadOptions with_threads() {
+  static TwoThreads threads;
   ReadOptions options;
-  options.parallel = two_threads;
+  options.executor = &threads;
   return options;
 }
 

@@ -1,8 +1,8 @@
 // Reading and writing of numbers does not depend on the locale or on the floating-point rounding mode.
 #include "double_oracle.hpp"
 
+#include "bezcert/number/dyadic.hpp"
 #include "bezcert/number/interval.hpp"
-#include "bezcert/number/outward.hpp"
 #include "bezcert/number/parse.hpp"
 #include "bezcert/number/scaled.hpp"
 

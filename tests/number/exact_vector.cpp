@@ -2,6 +2,7 @@
 #include "double_oracle.hpp"
 
 #include "bezcert/number/exact_vector.hpp"
+#include "bezcert/number/interval.hpp"
 #include "bezcert/number/scaled.hpp"
 
 #include <catch2/catch.hpp>
@@ -130,7 +131,7 @@ TEST_CASE("an exact vector holds doubles until a number is none, and keeps every
     for (std::size_t k = 0; k < expected.size(); ++k) {
       const Rational& x = expected[k];
       const auto [below, above] = around(x);
-      const Interval enclosure = vector.interval(k);
+      const Interval enclosure = interval_at(vector, k);
       if (vector[k] != x) FAIL("number " << k);
       if (binary ? value_of(vector.doubles()[k]) != x : vector.rationals()[k] != x) FAIL("span at " << k);
       if (Rational(scaled.values[k]) * scaled.scale != x) FAIL("scaled " << k);

@@ -81,7 +81,7 @@ TEST_CASE("one operation on intervals contains the exact result, in every range 
   const std::uint64_t seed = seed_or(131);
   Random random(seed);
   long done[4] = {}, unbounded = 0, subnormal = 0, nan = 0;
-  const RoundingScope scope;
+  const RoundUp up;
   for (int i = 0; i < 24000; ++i) {
     const Range range = static_cast<Range>(i % 3);
     const Enclosed a = random_enclosed(random, range);
@@ -114,7 +114,7 @@ TEST_CASE("one operation on points is the tightest interval where nothing overfl
   const std::uint64_t seed = seed_or(132);
   Random random(seed);
   long points = 0, proper = 0;
-  const RoundingScope scope;
+  const RoundUp up;
   for (int i = 0; i < 8000; ++i) {
     const double x = random.any_double(-100, 100);
     const double y = random.any_double(-100, 100);
@@ -136,7 +136,7 @@ TEST_CASE("chains of operations on intervals contain the exact result") {
   const std::uint64_t seed = seed_or(133);
   Random random(seed);
   long chains = 0, bounded = 0, nan = 0;
-  const RoundingScope scope;
+  const RoundUp up;
   for (int i = 0; i < 3000; ++i) {
     const Range range = static_cast<Range>(i % 3);
     Enclosed value = random_enclosed(random, range);
@@ -164,7 +164,7 @@ TEST_CASE("chains of operations on intervals contain the exact result") {
 TEST_CASE("determinants in intervals contain the exact determinant and sign it rightly") {
   const std::uint64_t seed = seed_or(134);
   Random random(seed);
-  const RoundingScope scope;
+  const RoundUp up;
   long positive = 0, negative = 0, zero = 0, unsure = 0, unsure_zero = 0;
   for (int i = 0; i < 4000; ++i) {
     Interval a[9];
@@ -232,7 +232,7 @@ TEST_CASE("infinite bounds sign only what they prove, NaN nothing") {
   CHECK(certain_sign(Interval(-infinity, 0)) == std::nullopt);
   CHECK(certain_sign(Interval(-infinity, infinity)) == std::nullopt);
   CHECK(certain_sign(Interval(not_a_number, not_a_number)) == std::nullopt);
-  const RoundingScope scope;
+  const RoundUp up;
   const Interval huge(largest_double);
   const Interval line = huge * huge - huge * huge;
   CHECK(certain_sign(line) == std::nullopt);
@@ -252,7 +252,7 @@ TEST_CASE("to_interval is the smallest interval around a rational, in and out of
     const auto [below, above] = around(x);
     const Interval outside = to_interval(x);
     const bool right = outside.inf() == below && outside.sup() == above;
-    const RoundingScope scope;
+    const RoundUp up;
     const Interval inside = to_interval(x);
     if (!right || inside.inf() != below || inside.sup() != above) {
       INFO("seed " << seed << ", x = " << x << ", between " << hex(below) << " and " << hex(above));
@@ -312,7 +312,7 @@ TEST_CASE("to_interval is the smallest interval around an integer") {
   CHECK(beyond > 20);
 }
 
-TEST_CASE("a rounding scope rounds upwards while it lives, nested too, and restores the mode") {
+TEST_CASE("a RoundUp rounds upwards while it lives, nested too, and restores the mode") {
   // By its effect: std::fegetround does not see the register that the protector of CGAL sets.
   const Around third = around(Rational(1, 3));
   const auto third_now = [] {
@@ -322,10 +322,10 @@ TEST_CASE("a rounding scope rounds upwards while it lives, nested too, and resto
   };
   REQUIRE(third_now() == third.below);  // the nearest is the lower one
   {
-    const RoundingScope outer;
+    const RoundUp outer;
     CHECK(third_now() == third.above);
     {
-      const RoundingScope inner;
+      const RoundUp inner;
       CHECK(third_now() == third.above);
     }
     CHECK(third_now() == third.above);

@@ -156,7 +156,7 @@ TEST_CASE("an interval rounds as every number in it, or not at all") {
     const Interval enclosure(low, high);
     std::optional<Dyadic> down, up;
     if (random.chance(50)) {
-      const RoundingScope scope;
+      const RoundUp rounding;
       down = round_down(enclosure, bits);
       up = round_up(enclosure, bits);
     } else {

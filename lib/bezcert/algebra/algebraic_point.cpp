@@ -324,7 +324,6 @@ std::vector<Rational> value_at(const Bivariate& f, const AlgebraicPoint& point) 
     const Rational value = at_rational(f, constant_of(point.u), constant_of(point.v));
     return value.is_zero() ? std::vector<Rational>() : std::vector<Rational>{value};
   }
-  const NearestRounding nearest;
   const RationalPolynomial modulus(point.polynomial), u(point.u), v(point.v);
   std::vector<RationalPolynomial> powers(1);
   fmpq_poly_one(powers[0].get());

@@ -17,7 +17,10 @@ namespace {
 struct Context {
   fmpz_mpoly_ctx_t value;
 
-  Context() { fmpz_mpoly_ctx_init(value, 2, ORD_LEX); }
+  Context() {
+    expect_rounding_to_nearest();
+    fmpz_mpoly_ctx_init(value, 2, ORD_LEX);
+  }
   ~Context() { fmpz_mpoly_ctx_clear(value); }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -214,7 +217,6 @@ int some_sign(const Bivariate& f) {
 }
 
 std::vector<std::pair<Bivariate, int>> irreducible_factors(const Bivariate& f) {
-  const NearestRounding nearest;
   const Context context;
   const Sparse whole(context, f);
   fmpz_mpoly_factor_t factors;
@@ -242,7 +244,6 @@ std::vector<std::pair<Bivariate, int>> irreducible_factors(const Bivariate& f) {
 }
 
 Bivariate gcd(const Bivariate& f, const Bivariate& g) {
-  const NearestRounding nearest;
   const Context context;
   const Sparse a(context, f), b(context, g);
   Sparse divisor(context);
@@ -253,7 +254,6 @@ Bivariate gcd(const Bivariate& f, const Bivariate& g) {
 }
 
 Bivariate quotient(const Bivariate& f, const Bivariate& g) {
-  const NearestRounding nearest;
   const Context context;
   Sparse result(context), dividend(context, f), divisor(context, g);
   FlintInteger content;
@@ -285,7 +285,6 @@ int resultant_degree_bound(const Bivariate& f, const Bivariate& g) {
 }
 
 Univariate resultant_v(const Bivariate& f, const Bivariate& g) {
-  const NearestRounding nearest;
   const auto count = static_cast<std::size_t>(resultant_degree_bound(f, g)) + 1;
   fmpz* points = _fmpz_vec_init(static_cast<slong>(count));
   fmpz* values = _fmpz_vec_init(static_cast<slong>(count));

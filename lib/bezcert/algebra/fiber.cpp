@@ -56,7 +56,6 @@ class Fiber::Implementation {
   using Line = std::vector<FieldElement>;
 
   Implementation(RealRoot alpha, const std::vector<Bivariate>& polynomials) : alpha_(std::move(alpha)) {
-    const NearestRounding nearest;
     const FlintPolynomial minimal(alpha_.polynomial);
     fmpq_poly_set_fmpz_poly(modulus_.get(), minimal.value);
     if (alpha_.is_rational()) {
@@ -322,12 +321,10 @@ const RealRoot& Fiber::alpha() const { return implementation_->alpha(); }
 bool Fiber::is_whole_line() const { return implementation_->is_whole_line(); }
 
 int Fiber::count(const Univariate& low, const Univariate& high, Ends ends) {
-  const NearestRounding nearest;
   return implementation_->count(implementation_->element(low), implementation_->element(high), ends);
 }
 
 RealRoot Fiber::smallest(const Univariate& low, const Univariate& high, Ends ends, const Rational& width) {
-  const NearestRounding nearest;
   return implementation_->smallest(low, high, ends, width);
 }
 

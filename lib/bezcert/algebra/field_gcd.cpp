@@ -187,7 +187,6 @@ class Candidate {
 }  // namespace
 
 std::vector<FieldVector> field_gcd(const Univariate& r, const std::vector<Bivariate>& polynomials) {
-  const NearestRounding nearest;
   FieldPolynomial modulus;
   {
     const FlintPolynomial integer(r);

@@ -1,5 +1,5 @@
 // FLINT's C types as owners. Included by the sources of this folder only. FLINT computes with doubles in
-// places and counts on rounding to nearest: a NearestRounding goes before its algorithms.
+// places and counts on rounding to nearest, which every polynomial that is handed to it checks.
 #pragma once
 
 #include "bezcert/algebra/univariate.hpp"
@@ -9,7 +9,15 @@
 #include <flint/fmpz.h>
 #include <flint/fmpz_poly.h>
 
+#include <stdexcept>
+
 namespace bezcert {
+
+/// What interval work would leave behind if algebra ran inside of it (number/interval.hpp says why it does
+/// not) shows at once: throws std::logic_error unless the thread rounds to nearest.
+inline void expect_rounding_to_nearest() {
+  if (!rounds_to_nearest()) throw std::logic_error("algebra needs a thread that rounds to nearest");
+}
 
 inline void set(fmpz_t to, const Integer& from) { fmpz_set_mpz(to, from.backend().data()); }
 inline Integer to_integer(const fmpz_t from) {
@@ -33,6 +41,7 @@ struct FlintPolynomial {
 
   FlintPolynomial() { fmpz_poly_init(value); }
   explicit FlintPolynomial(const Univariate& f) : FlintPolynomial() {
+    expect_rounding_to_nearest();
     for (std::size_t k = f.coefficients.size(); k-- > 0;) {
       const FlintInteger c(f.coefficients[k]);
       fmpz_poly_set_coeff_fmpz(value, static_cast<slong>(k), c.value);

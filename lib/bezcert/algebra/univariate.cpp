@@ -59,7 +59,6 @@ Univariate operator-(const Univariate& f, const Univariate& g) {
 }
 
 Univariate operator*(const Univariate& f, const Univariate& g) {
-  const NearestRounding nearest;
   const FlintPolynomial a(f), b(g);
   FlintPolynomial product;
   fmpz_poly_mul(product.value, a.value, b.value);
@@ -75,7 +74,6 @@ Univariate derivative(const Univariate& f) {
 }
 
 Univariate gcd(const Univariate& f, const Univariate& g) {
-  const NearestRounding nearest;
   const FlintPolynomial a(f), b(g);
   FlintPolynomial divisor;
   fmpz_poly_gcd(divisor.value, a.value, b.value);
@@ -84,7 +82,6 @@ Univariate gcd(const Univariate& f, const Univariate& g) {
 }
 
 Univariate exact_quotient(const Univariate& f, const Univariate& g) {
-  const NearestRounding nearest;
   const FlintPolynomial a(f), b(g);
   FlintPolynomial quotient;
   if (fmpz_poly_divides(quotient.value, a.value, b.value) == 0) {
@@ -94,7 +91,6 @@ Univariate exact_quotient(const Univariate& f, const Univariate& g) {
 }
 
 Univariate square_free_part(const Univariate& f) {
-  const NearestRounding nearest;
   FlintPolynomial a(f);
   fmpz_poly_primitive_part(a.value, a.value);
   FlintPolynomial slope, divisor, quotient;
@@ -105,7 +101,6 @@ Univariate square_free_part(const Univariate& f) {
 }
 
 std::vector<std::pair<Univariate, int>> irreducible_factors(const Univariate& f) {
-  const NearestRounding nearest;
   FlintPolynomial a(f);
   fmpz_poly_factor_t factors;
   fmpz_poly_factor_init(factors);

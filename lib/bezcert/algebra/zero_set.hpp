@@ -10,20 +10,12 @@
 #pragma once
 
 #include "bezcert/algebra/bivariate.hpp"
-#include "bezcert/algebra/real_root.hpp"
+#include "bezcert/algebra/planar_point.hpp"
 
 #include <optional>
 #include <utility>
 
 namespace bezcert {
-
-/// A point (u, v) with algebraic coordinates. A coordinate's polynomial is empty where only the interval is
-/// known.
-struct PlanarPoint {
-  RealRoot u, v;
-
-  bool is_rational() const { return u.is_rational() && v.is_rational(); }
-};
 
 /// Closed intervals of a parameter, ascending and disjoint.
 using Strips = std::vector<std::pair<Rational, Rational>>;

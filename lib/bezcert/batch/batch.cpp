@@ -39,7 +39,8 @@ bool round_bounds(const BlockResult& block, int k, DeterminantBounds& bounds) {
 void settle(const BlockTable& table, const Nodes& nodes, std::span<const std::size_t> first_node,
             std::span<Settled> results) {
   static BlockFunction* const run_block = best_block();
-  const std::string_view proof = table.midpoint ? "midpoint" : "jacobian_hull";
+  const InjectivityProof proof =
+      table.midpoint ? InjectivityProof::midpoint : InjectivityProof::jacobian_hull;
   BlockResult block;
   for (std::size_t begin = 0; begin < first_node.size(); begin += lane_count) {
     const std::size_t count = std::min<std::size_t>(lane_count, first_node.size() - begin);

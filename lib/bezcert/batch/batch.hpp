@@ -2,24 +2,24 @@
 //
 // An element that comes out settled is injective, and every field of its Decision is known: the sign is
 // proved by the "coefficients" of the whole domain, injectivity by the named proof, and the bounds of det J
-// are the grid points (number/outward.hpp) that the exact extremes round to. All three are functions of the
+// are the grid points (number/dyadic.hpp) that the exact extremes round to. All three are functions of the
 // exact element: the same element decided with intervals or integers gives the same answer. What is not
 // settled is open.
 #pragma once
 
 #include "bezcert/batch/block.hpp"
 #include "bezcert/batch/table.hpp"
-#include "bezcert/element/jacobian_tree.hpp"
+#include "bezcert/element/determinant_bounds.hpp"
+#include "bezcert/verdict/element_verdict.hpp"
 
 #include <span>
-#include <string_view>
 
 namespace bezcert::batch {
 
 struct Settled {
   bool settled = false;
   DeterminantBounds bounds;
-  std::string_view injectivity_proof;
+  InjectivityProof injectivity_proof = InjectivityProof::none;
 };
 
 /// Tries the elements whose nodes begin at the given places of the connectivity; results[i] answers for

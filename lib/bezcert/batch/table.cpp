@@ -1,11 +1,11 @@
 #include "bezcert/batch/table.hpp"
 
 #include "bezcert/batch/kernel.hpp"
-#include "bezcert/batch/static_bound.hpp"
 #include "bezcert/bernstein/scale_table.hpp"
 #include "bezcert/bernstein/table_cache.hpp"
 #include "bezcert/element/jacobian.hpp"
 #include "bezcert/element/lagrange.hpp"
+#include "bezcert/number/static_bound.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -51,19 +51,11 @@ void add_basis_change(OwnedTable& owned, Shape shape) {
   }
 }
 
-// Slack for the operations after the kernel: the product of the bound and the unit (a few roundings), and the
-// sum of a number and its bound (one rounding of at most eps (magnitude + error) units).
-double with_slack(const StaticBound& bound) {
-  using namespace detail;
-  const double rounding = product_up(2 * eps, sum_up(bound.magnitude, bound.error));
-  return product_up(sum_up(bound.error, rounding), 1 + 0x1p-40);
-}
-
 template <Kind kind>
 std::optional<Errors> static_errors(const BlockTable& table) {
   using K = Kernel<StaticBound, kind, 0>;
   const auto kernel = std::make_unique<K>(table);
-  const StaticBound coordinate = detail::rounded(1, 0);  // one subtraction of exact numbers
+  const StaticBound coordinate = unit_difference();
   for (int i = 0; i < kernel->point_count(); ++i) {
     kernel->node_x[i] = kernel->node_y[i] = coordinate;
     if constexpr (K::is_rational) kernel->weight[i] = {1, 0};
@@ -73,15 +65,15 @@ std::optional<Errors> static_errors(const BlockTable& table) {
   StaticBound coefficient = larger(extent.lowest, extent.highest);
   for (int k = 0; k < K::corner_count; ++k) coefficient = larger(coefficient, extent.corner[k]);
   Errors errors;
-  errors.coefficient = with_slack(coefficient);
+  errors.coefficient = error_of(coefficient);
   StaticBound largest = coefficient;
   if (!table.midpoint) {
     const StaticBound cone = larger(larger(extent.p, extent.q), larger(extent.r, extent.s));
-    errors.cone = with_slack(cone);
+    errors.cone = error_of(cone);
     largest = larger(largest, cone);
     if constexpr (!K::is_square) {
       const StaticBound mixed = kernel->mixed();
-      errors.mixed = with_slack(mixed);
+      errors.mixed = error_of(mixed);
       largest = larger(largest, mixed);
     }
   }

@@ -45,7 +45,7 @@ void bisect_line(std::vector<T>& left, std::vector<T>& right, std::size_t first,
 }  // namespace detail
 
 /// The coefficients over the first and the second half, from those over the whole; integers multiplied by
-/// 2^degree. Needs a RoundingScope for intervals.
+/// 2^degree. Intervals: while a RoundUp lives.
 template <class T>
 std::pair<std::vector<T>, std::vector<T>> halve(const std::vector<T>& values) {
   std::vector<T> left = values;

@@ -5,10 +5,8 @@
 #pragma once
 
 #include "bezcert/bernstein/shape.hpp"
-#include "bezcert/number/interval.hpp"
 #include "bezcert/number/rational.hpp"
 
-#include <type_traits>
 #include <vector>
 
 namespace bezcert {
@@ -21,16 +19,6 @@ Integer binomial(int n, int k);
 
 /// The multinomial of every coefficient of a shape, in coefficient order.
 std::vector<Integer> multinomials(Shape shape);
-
-/// An exact integer as a number of type T (for Interval: the smallest interval that contains it).
-template <class T>
-T number_from_integer(const Integer& value) {
-  if constexpr (std::is_same_v<T, Interval>) {
-    return to_interval(value);
-  } else {
-    return T(value);
-  }
-}
 
 /// Product of two polynomials given by scaled coefficients; the result has scaled coefficients too.
 template <class T>

@@ -5,7 +5,9 @@
 #pragma once
 
 #include "bezcert/bernstein/polynomial.hpp"
+#include "bezcert/number/interval.hpp"
 
+#include <type_traits>
 #include <vector>
 
 namespace bezcert {

@@ -16,8 +16,8 @@ using Evidence = std::optional<std::string>;
 
 // Beside SIGN.
 Evidence injective_evidence(const Forms& forms, const Decision& decision) {
-  if (decision.injectivity_proof == "boundary") return boundary_evidence(forms);
-  return std::string(decision.injectivity_proof);
+  if (decision.injectivity_proof == InjectivityProof::boundary) return boundary_evidence(forms);
+  return std::string(name(decision.injectivity_proof));
 }
 
 // "u v", without what the barycentric coordinates have too much.
@@ -41,7 +41,7 @@ ElementClaim invalid_claim(const Forms& forms, const Decision& decision) {
 }
 
 ElementClaim regular_claim(const Forms& forms, const Decision& decision) {
-  if (decision.injectivity_proof == "jacobian_hull") return hull_claim();
+  if (decision.injectivity_proof == InjectivityProof::jacobian_hull) return hull_claim();
   const Evidence positive = sign_evidence(forms, decision, WantedSign::positive);
   if (!positive) return {};
   const bool is_regular = decision.verdict == ElementVerdict::regular;
@@ -102,32 +102,51 @@ ElementClaim claim_of(const Element& element, const Decision& decision) {
 ElementClaim claim_of(const Mesh& mesh, std::size_t i, const Decision& decision) {
   // The ordinary cases need no element.
   if (decision.verdict == ElementVerdict::injective) {
-    if (decision.injectivity_proof == "jacobian_hull") return hull_claim();
-    if (decision.injectivity_proof == "midpoint" && decision.sign_proof == "coefficients") {
+    if (decision.injectivity_proof == InjectivityProof::jacobian_hull) return hull_claim();
+    if (decision.injectivity_proof == InjectivityProof::midpoint &&
+        decision.sign_proof == SignProof::coefficients) {
       return {"injective coefficients midpoint", ElementState::injective, true};
     }
   }
   return claim_of(mesh.element(i), decision);
 }
 
-CertificateWriter::CertificateWriter(std::ostream& stream, const CertificateHeader& header)
-    : stream_(stream), count_(header.count) {
-  stream_ << "bezcert-certificate 1\nelements " << header.elements_sha256 << "\nbasis " << header.basis
-          << "\nnumbers " << (header.numbers == Numbers::binary64 ? "binary64" : "decimal") << "\ncount "
-          << count_ << '\n';
-  claims_.reserve(count_);
+class CertificateWriter::BlockOfClaims : public Block {
+ public:
+  explicit BlockOfClaims(CertificateWriter& writer) : writer_(writer) {}
+
+  void element(std::size_t i, const CheckedElement& checked) override {
+    claims_.push_back(claim_of(*writer_.mesh_, i, checked.decision));
+  }
+  void finish() override {
+    for (const ElementClaim& claim : claims_) {
+      writer_.claims_.push_back(claim.state);
+      if (!claim.full) ++writer_.without_evidence_;
+      writer_.stream_ << writer_.claims_.size() << ' ' << claim.text << '\n';
+    }
+    claims_.clear();
+  }
+
+ private:
+  CertificateWriter& writer_;
+  std::vector<ElementClaim> claims_;
+};
+
+void CertificateWriter::begin(const Mesh& mesh) {
+  mesh_ = &mesh;
+  claims_.clear();
+  claims_.reserve(mesh.elements.size());
+  without_evidence_ = 0;
+  stream_ << "bezcert-certificate 1\nelements " << header_.elements_sha256 << "\nbasis " << header_.basis
+          << "\nnumbers " << name(header_.numbers) << "\ncount " << mesh.elements.size() << '\n';
 }
 
-void CertificateWriter::element(const ElementClaim& claim) {
-  if (claims_.size() == count_) throw std::logic_error("certificate: more elements than its header says");
-  claims_.push_back(claim.state);
-  if (!claim.full) ++without_evidence_;
-  stream_ << claims_.size() << ' ' << claim.text << '\n';
+std::unique_ptr<CheckObserver::Block> CertificateWriter::new_block() {
+  return std::make_unique<BlockOfClaims>(*this);
 }
 
-void CertificateWriter::mesh(const Mesh& mesh, const MeshResult& result) {
-  if (claims_.size() != count_) throw std::logic_error("certificate: fewer elements than its header says");
-  if (!write_mesh_evidence(stream_, mesh, result, claims_)) ++without_evidence_;
+void CertificateWriter::end(const Mesh& mesh, const MeshReport& report) {
+  if (!write_mesh_evidence(stream_, report.mesh, claims_)) ++without_evidence_;
   stream_ << "end\n";
 }
 

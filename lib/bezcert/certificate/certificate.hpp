@@ -5,10 +5,10 @@
 // written, at the weakest `undecided`, and counted.
 #pragma once
 
-#include "bezcert/decide/decide.hpp"
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/check/check_mesh.hpp"
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,7 +19,6 @@ struct CertificateHeader {
   std::string elements_sha256;  ///< of the elements file's bytes, lower-case hexadecimal
   std::string basis;            ///< "lagrange", "bernstein" (.msh) or "mixed" (.bez.json)
   Numbers numbers = Numbers::binary64;
-  std::size_t count = 0;  ///< elements
 };
 
 /// A claim about one element with its evidence.
@@ -33,24 +32,26 @@ struct ElementClaim {
 /// of different elements can be made on different threads.
 ElementClaim claim_of(const Mesh& mesh, std::size_t i, const Decision& decision);
 
-/// Writes a certificate line by line: every element in mesh order, then the mesh.
-class CertificateWriter {
+/// Writes the certificate of a mesh while it is checked (check/check_mesh.hpp).
+class CertificateWriter : public CheckObserver {
  public:
-  /// Writes the header. Keeps a reference to `stream`.
-  CertificateWriter(std::ostream& stream, const CertificateHeader& header);
+  /// Keeps a reference to `stream`.
+  CertificateWriter(std::ostream& stream, CertificateHeader header)
+      : stream_(stream), header_(std::move(header)) {}
 
-  /// The claim of the next element. Throws std::logic_error beyond the number that the header says.
-  void element(const ElementClaim& claim);
-
-  /// The claim of the mesh and the end. Preconditions: `result` is examine_mesh's; all elements were written.
-  void mesh(const Mesh& mesh, const MeshResult& result);
+  void begin(const Mesh& mesh) override;
+  std::unique_ptr<Block> new_block() override;
+  void end(const Mesh& mesh, const MeshReport& report) override;
 
   /// Verdicts that the certificate does not claim in full.
   std::size_t without_evidence() const { return without_evidence_; }
 
  private:
+  class BlockOfClaims;
+
   std::ostream& stream_;
-  std::size_t count_ = 0;
+  CertificateHeader header_;
+  const Mesh* mesh_ = nullptr;
   std::vector<ElementState> claims_;  // what the certificate claims of each element
   std::size_t without_evidence_ = 0;
 };

@@ -4,7 +4,6 @@
 #include "bezcert/curve/same_curve.hpp"
 #include "bezcert/curve/separation.hpp"
 #include "bezcert/curve/winding.hpp"
-#include "bezcert/mesh/curve_parameters.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +45,13 @@ Rational angle_of(const Vector2<Rational>& v) {
   return v.y.sign() >= 0 ? 2 - slope : -2 - slope;
 }
 
+Box box_of_edges(const HalfEdges& edges, std::uint32_t element) {
+  const RoundUp up;
+  Box box = edges.box(up, edges.first(element));
+  for (HalfEdge h = edges.first(element) + 1; h < edges.first(element + 1); ++h) box.add(edges.box(up, h));
+  return box;
+}
+
 }  // namespace
 
 // No box of control points of a piece holds the point, when pieces are small enough.
@@ -79,23 +85,18 @@ bool is_off(const CurveNet<Integer>& curve, const Point& point) {
 
 bool Coverage::covers(std::uint32_t element, const Point& point) const {
   if (claims_[element] != ElementState::injective) return false;
-  int winding = 0;
-  for (EdgeUse use = edges_.first(element); use < edges_.first(element + 1); ++use) {
-    const RoundingScope scope;
-    DyadicCurve curve = edges_.curve(use);
-    const std::optional<int> share = winding_share(curve, point, deepest);
-    if (!share) return false;
-    winding += *share;
-  }
-  if (winding != 1) return false;
-  for (EdgeUse use = edges_.first(element); use < edges_.first(element + 1); ++use) {
-    if (!is_off(edges_.exact(use), point)) return false;
+  const HalfEdge first = edges_.first(element), end = edges_.first(element + 1);
+  std::vector<DyadicCurve> boundary;
+  for (HalfEdge h = first; h < end; ++h) boundary.push_back(edges_.curve(h));
+  if (winding_number(boundary, point, deepest) != 1) return false;
+  for (DyadicCurve& curve : boundary) {
+    if (!is_off(curve.exact(DyadicCurve::whole), point)) return false;
   }
   return true;
 }
 
-std::optional<Point> Coverage::left_of(EdgeUse use, const std::function<bool(const Point&)>& accepts) const {
-  const CurveNet<Integer> half = part_of(edges_.exact(use), Rational(1, 2), 1);
+std::optional<Point> Coverage::left_of(HalfEdge h, const std::function<bool(const Point&)>& accepts) const {
+  const CurveNet<Integer> half = part_of(edges_.exact(h), Rational(1, 2), 1);
   const Vector2<Rational> along = tangent_of(half);
   const Vector2<Rational> left{-along.y, along.x};
   const Point middle{Rational(half.x[0], half.w[0]), Rational(half.y[0], half.w[0])};
@@ -108,7 +109,7 @@ std::optional<Point> Coverage::left_of(EdgeUse use, const std::function<bool(con
   return std::nullopt;
 }
 
-std::optional<std::string> Coverage::beside_edge(EdgeUse a, EdgeUse b) const {
+std::optional<std::string> Coverage::beside_edge(HalfEdge a, HalfEdge b) const {
   const std::uint32_t first = edges_.element(a), second = edges_.element(b);
   if (first == second) return std::nullopt;
   const auto point = left_of(a, [&](const Point& p) { return covers(first, p) && covers(second, p); });
@@ -117,25 +118,16 @@ std::optional<std::string> Coverage::beside_edge(EdgeUse a, EdgeUse b) const {
 }
 
 std::optional<std::string> Coverage::with_any(std::uint32_t element) const {
-  for (EdgeUse use = edges_.first(element); use < edges_.first(element + 1); ++use) {
-    const auto inside = left_of(use, [&](const Point& p) { return covers(element, p); });
+  for (HalfEdge h = edges_.first(element); h < edges_.first(element + 1); ++h) {
+    const auto inside = left_of(h, [&](const Point& p) { return covers(element, p); });
     if (!inside) continue;
     const Interval x = to_interval(inside->x), y = to_interval(inside->y);
     const Box at{x.inf(), x.sup(), y.inf(), y.sup()};
     for (std::uint32_t other = 0; other < edges_.element_count(); ++other) {
       if (other == element) continue;
       // A point inside is left of some edge and right of another, or level with an edge.
-      Box box = at;
-      {
-        const RoundingScope scope;
-        for (EdgeUse edge = edges_.first(other); edge < edges_.first(other + 1); ++edge) {
-          const Box one = edges_.box(edge);
-          if (edge == edges_.first(other)) box = one;
-          box = {std::min(box.x_low, one.x_low), std::max(box.x_high, one.x_high),
-                 std::min(box.y_low, one.y_low), std::max(box.y_high, one.y_high)};
-        }
-      }
-      if (box.overlaps(at) && covers(other, *inside)) return cover_text(element, other, *inside);
+      if (box_of_edges(edges_, other).overlaps(at) && covers(other, *inside))
+        return cover_text(element, other, *inside);
     }
   }
   return std::nullopt;
@@ -144,7 +136,7 @@ std::optional<std::string> Coverage::with_any(std::uint32_t element) const {
 std::optional<std::string> Coverage::around_vertex(const Fan& fan) const {
   const Point vertex = point_at(edges_.exact(fan.corners[0]), 0);
   std::vector<Vector2<Rational>> tangents;
-  for (const EdgeUse corner : fan.corners) tangents.push_back(tangent_of(edges_.exact(corner)));
+  for (const HalfEdge corner : fan.corners) tangents.push_back(tangent_of(edges_.exact(corner)));
   if (!fan.closed)
     tangents.push_back(tangent_of(reversed(edges_.exact(edges_.previous(fan.corners.back())))));
   // Between neighbouring tangents, wherever two corners lie on each other: the sum of unit vectors, about.
@@ -185,7 +177,7 @@ std::optional<std::string> Coverage::around_vertex(const Fan& fan) const {
 
 // Both edges leave the vertex in one direction, and the sliver between them is covered from both sides:
 // halfway from a point of the first to the point of the second that is as far along the tangent.
-std::optional<std::string> Coverage::in_sliver(EdgeUse leaving, EdgeUse arriving) const {
+std::optional<std::string> Coverage::in_sliver(HalfEdge leaving, HalfEdge arriving) const {
   const std::uint32_t first = edges_.element(leaving), second = edges_.element(arriving);
   if (first == second) return std::nullopt;
   const CurveNet<Integer> a = edges_.exact(leaving), b = reversed(edges_.exact(arriving));

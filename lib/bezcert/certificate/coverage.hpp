@@ -5,7 +5,7 @@
 // by short rationals.
 #pragma once
 
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <functional>
 #include <optional>
@@ -20,25 +20,25 @@ bool is_off(const CurveNet<Integer>& curve, const Point& point);
 class Coverage {
  public:
   /// `claims`: elements that are not claimed to be injective cover nothing. Keeps references.
-  Coverage(const MeshEdges& edges, std::span<const ElementState> claims) : edges_(edges), claims_(claims) {}
+  Coverage(const HalfEdges& edges, std::span<const ElementState> claims) : edges_(edges), claims_(claims) {}
 
   /// Whether the element is injective and has the point in its interior, by winding numbers within the limits
   /// of a verifier.
   bool covers(std::uint32_t element, const Point& point) const;
 
-  /// `cover` by the elements of two uses that run in one direction along one curve.
-  std::optional<std::string> beside_edge(EdgeUse a, EdgeUse b) const;
+  /// `cover` by the elements of two half-edges that run in one direction along one curve.
+  std::optional<std::string> beside_edge(HalfEdge a, HalfEdge b) const;
   /// `cover` by two elements of a fan that turns too far around its vertex.
   std::optional<std::string> around_vertex(const Fan& fan) const;
   /// `cover` by the element and any other one.
   std::optional<std::string> with_any(std::uint32_t element) const;
 
  private:
-  /// Points beside the middle of a use, on its left, nearer and nearer, until one is accepted.
-  std::optional<Point> left_of(EdgeUse use, const std::function<bool(const Point&)>& accepts) const;
-  std::optional<std::string> in_sliver(EdgeUse leaving, EdgeUse arriving) const;
+  /// Points beside the middle of a half-edge, on its left, nearer and nearer, until one is accepted.
+  std::optional<Point> left_of(HalfEdge h, const std::function<bool(const Point&)>& accepts) const;
+  std::optional<std::string> in_sliver(HalfEdge leaving, HalfEdge arriving) const;
 
-  const MeshEdges& edges_;
+  const HalfEdges& edges_;
   std::span<const ElementState> claims_;
 };
 

@@ -3,7 +3,7 @@
 #include "bezcert/algebra/algebraic_point.hpp"
 #include "bezcert/certificate/evidence_text.hpp"
 #include "bezcert/curve/contact_algebra.hpp"
-#include "bezcert/mesh/curve_parameters.hpp"
+#include "bezcert/curve/incidence.hpp"
 #include "bezcert/curve/separation.hpp"
 
 #include <algorithm>

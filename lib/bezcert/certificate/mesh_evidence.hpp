@@ -6,7 +6,7 @@
 // verdict one refutation (refutation.hpp).
 #pragma once
 
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <iosfwd>
 #include <span>
@@ -15,12 +15,12 @@
 namespace bezcert {
 
 /// What certificates call an edge: the position of its element, counted from 1, and its number in it.
-std::string edge_name(const MeshEdges& edges, EdgeUse use);
+std::string edge_name(const HalfEdges& edges, HalfEdge h);
 
 /// Writes the line `mesh ...` and those that follow it. `claims`: what the certificate claims of each
 /// element. False if it claims less than `result` says, because evidence is missing or exceeds the limits;
 /// then `mesh undecided` is written. Precondition: `result` is examine_mesh's of the whole mesh.
-bool write_mesh_evidence(std::ostream& stream, const Mesh& mesh, const MeshResult& result,
+bool write_mesh_evidence(std::ostream& stream, const MeshResult& result,
                          std::span<const ElementState> claims);
 
 }  // namespace bezcert

@@ -194,7 +194,7 @@ class PairWriter {
     return find_direction(
         rounded(vectors), [&] { return vectors; },
         [&](const Direction& n) {
-          return filtered(scope_, curve, piece, curve, piece,
+          return filtered(curve, piece, curve, piece,
                           [&](const auto& one, const auto&) { return increases(one, n); });
         });
   }
@@ -214,7 +214,7 @@ class PairWriter {
     return find_direction(
         rounded(vectors), [&] { return vectors; },
         [&](const Direction& n) {
-          return filtered(scope_, a, piece_a, b, piece_b, [&](const auto& one, const auto& other) {
+          return filtered(a, piece_a, b, piece_b, [&](const auto& one, const auto& other) {
             return leaves(one, end_a, opposite(n)) && leaves(other, end_b, n);
           });
         });
@@ -240,7 +240,7 @@ class PairWriter {
       return result;
     };
     return find_direction(vectors, exact, [&](const Direction& n) {
-      return filtered(scope_, a, piece_a, b, piece_b,
+      return filtered(a, piece_a, b, piece_b,
                       [&](const auto& one, const auto& other) { return separates(one, other, n); });
     });
   }
@@ -265,7 +265,6 @@ class PairWriter {
     return effort_ <= effort;
   }
 
-  RoundingScope scope_;
   const PairLimits& limits_;
   Resultants resultants_;
   std::size_t pieces_ = 0;

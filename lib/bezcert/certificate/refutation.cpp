@@ -4,8 +4,7 @@
 #include "bezcert/certificate/meet_evidence.hpp"
 #include "bezcert/certificate/mesh_evidence.hpp"
 #include "bezcert/curve/same_curve.hpp"
-#include "bezcert/mesh/curve_parameters.hpp"
-#include "bezcert/mesh/element_frame.hpp"
+#include "bezcert/surface/element_frame.hpp"
 
 #include <algorithm>
 
@@ -16,44 +15,42 @@ using Refutation = std::optional<std::string>;
 
 class Refuter {
  public:
-  Refuter(const Mesh& mesh, const MeshSurface& surface, std::span<const ElementState> claims)
-      : edges_(mesh), gluing_(surface.gluing), surface_(surface), coverage_(edges_, claims) {}
+  Refuter(const Surface& surface, std::span<const ElementState> claims)
+      : surface_(surface), coverage_(surface, claims) {}
 
   Refutation of(const MeshObstacle& obstacle) {
-    std::vector<EdgeUse> uses;
-    for (const ElementEdge& edge : obstacle.edges) {
-      uses.push_back(edges_.first(edge.element) + static_cast<EdgeUse>(edge.edge));
-    }
-    switch (obstacle.kind) {
-      case MeshVerdict::non_manifold: return uses.empty() ? pinched_vertex(obstacle) : one_side_twice(uses);
-      case MeshVerdict::non_conforming: return not_conforming(uses);
+    std::vector<HalfEdge> edges;
+    for (const ElementEdge& edge : obstacle.edges) edges.push_back(surface_.half_edge(edge));
+    switch (obstacle.kind()) {
+      case MeshVerdict::non_manifold: return edges.empty() ? pinched_vertex(obstacle) : one_side_twice(edges);
+      case MeshVerdict::non_conforming: return not_conforming(edges);
       case MeshVerdict::folded_vertex: return folded_vertex(obstacle);
-      case MeshVerdict::overlapping_boundary: return uses.empty() ? nested(obstacle) : contact_of_any(uses);
+      case MeshVerdict::overlapping_boundary: return edges.empty() ? nested(obstacle) : contact_of_any(edges);
       default: return std::nullopt;
     }
   }
 
  private:
-  std::uint32_t begin(EdgeUse use) const { return gluing_.begin[use]; }
-  std::uint32_t end(EdgeUse use) const { return gluing_.end(edges_, use); }
+  std::uint32_t begin(HalfEdge h) const { return surface_.begin(h); }
+  std::uint32_t end(HalfEdge h) const { return surface_.end(h); }
 
   // Calls attempt(a, b) for pairs of different elements until one succeeds.
   template <class Attempt>
-  Refutation any_pair(const std::vector<EdgeUse>& uses, Attempt attempt) {
+  Refutation any_pair(const std::vector<HalfEdge>& edges, Attempt attempt) {
     constexpr std::size_t most = 16;
-    const std::size_t count = std::min(uses.size(), most);
+    const std::size_t count = std::min(edges.size(), most);
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        if (edges_.element(uses[i]) == edges_.element(uses[j])) continue;
-        if (auto found = attempt(uses[i], uses[j])) return found;
+        if (surface_.element(edges[i]) == surface_.element(edges[j])) continue;
+        if (auto found = attempt(edges[i], edges[j])) return found;
       }
     }
     return std::nullopt;
   }
 
-  // Two of the uses have one direction: their elements lie on the same side.
-  Refutation one_side_twice(const std::vector<EdgeUse>& uses) {
-    return any_pair(uses, [&](EdgeUse a, EdgeUse b) -> Refutation {
+  // Two of the half-edges have one direction: their elements lie on the same side.
+  Refutation one_side_twice(const std::vector<HalfEdge>& edges) {
+    return any_pair(edges, [&](HalfEdge a, HalfEdge b) -> Refutation {
       if (begin(a) != begin(b) || end(a) != end(b)) return std::nullopt;
       return coverage_.beside_edge(a, b);
     });
@@ -63,10 +60,10 @@ class Refuter {
   std::vector<Fan> fans_at(const MeshObstacle& obstacle) {
     if (obstacle.points.empty()) return {};
     for (const std::uint32_t element : obstacle.elements) {
-      for (EdgeUse use = edges_.first(element); use < edges_.first(element + 1); ++use) {
-        const bool is_there = obstacle.nodes.empty() ? edges_.point(begin(use)) == obstacle.points[0]
-                                                     : begin(use) == obstacle.nodes[0];
-        if (is_there) return fans_of(edges_, gluing_, surface_.corners, begin(use));
+      for (HalfEdge h = surface_.first(element); h < surface_.first(element + 1); ++h) {
+        const bool is_there = obstacle.nodes.empty() ? surface_.point(begin(h)) == obstacle.points[0]
+                                                     : begin(h) == obstacle.nodes[0];
+        if (is_there) return surface_.fans(begin(h));
       }
     }
     return {};
@@ -75,7 +72,7 @@ class Refuter {
   Refutation pinched_vertex(const MeshObstacle& obstacle) {
     const std::vector<Fan> fans = fans_at(obstacle);
     if (fans.size() < 2) return std::nullopt;
-    return "pinch " + edge_name(edges_, fans[0].corners[0]) + ' ' + edge_name(edges_, fans[1].corners[0]);
+    return "pinch " + edge_name(surface_, fans[0].corners[0]) + ' ' + edge_name(surface_, fans[1].corners[0]);
   }
 
   Refutation folded_vertex(const MeshObstacle& obstacle) {
@@ -92,20 +89,21 @@ class Refuter {
     return std::nullopt;
   }
 
-  Refutation contact_of_any(const std::vector<EdgeUse>& uses) {
-    return any_pair(uses, [&](EdgeUse a, EdgeUse b) { return touch(a, b); });
+  Refutation contact_of_any(const std::vector<HalfEdge>& edges) {
+    return any_pair(edges, [&](HalfEdge a, HalfEdge b) { return touch(a, b); });
   }
 
   // A contact is the stronger refutation; else edges are close to each other.
-  Refutation not_conforming(const std::vector<EdgeUse>& uses) {
-    if (auto found = contact_of_any(uses)) return found;
-    if (auto found = any_pair(uses, [&](EdgeUse a, EdgeUse b) { return gap(a, b); })) return found;
-    return uses.size() == 3 ? gap_at_node(uses) : std::nullopt;
+  Refutation not_conforming(const std::vector<HalfEdge>& edges) {
+    if (auto found = contact_of_any(edges)) return found;
+    if (auto found = any_pair(edges, [&](HalfEdge a, HalfEdge b) { return gap(a, b); })) return found;
+    return edges.size() == 3 ? gap_at_node(edges) : std::nullopt;
   }
 
-  Refutation touch(EdgeUse a, EdgeUse b) {
+  Refutation touch(HalfEdge a, HalfEdge b) {
     const bool same_way = begin(a) == begin(b) || end(a) == end(b);
-    NamedCurve first{edges_.exact(a), edge_name(edges_, a)}, second{edges_.exact(b), edge_name(edges_, b)};
+    NamedCurve first{surface_.exact(a), edge_name(surface_, a)},
+        second{surface_.exact(b), edge_name(surface_, b)};
     const std::uint32_t ends_a[] = {begin(a), end(a)}, ends_b[] = {begin(b), end(b)};
     CommonPlaces common;
     for (const int i : {0, 1}) {
@@ -118,11 +116,10 @@ class Refuter {
     if (equal && same_curve(first.net, second.net)) return std::nullopt;
     if (auto found = meet_at_ends(first, second, common)) return "touch " + *found;
     // find_contact knows of joints of an end and a beginning.
-    RoundingScope scope;
-    DyadicCurve curve_a(edges_.interval(a), first.net);
-    const CurveNet<Interval> interval_b = edges_.interval(b);
-    DyadicCurve curve_b = same_way ? DyadicCurve(reversed(interval_b), reversed(second.net))
-                                   : DyadicCurve(interval_b, second.net);
+    const auto interval = [&](HalfEdge h) { return surface_.interval(RoundUp(), h); };
+    DyadicCurve curve_a(interval(a), first.net);
+    DyadicCurve curve_b = same_way ? DyadicCurve(reversed(interval(b)), reversed(second.net))
+                                   : DyadicCurve(interval(b), second.net);
     const int b_begin = same_way ? 1 : 0;
     const Joints joints{common.ends[1][b_begin], common.ends[0][1 - b_begin]};
     const ContactResult result = find_contact(curve_a, curve_b, joints);
@@ -135,26 +132,27 @@ class Refuter {
   }
 
   // A crack: edges between the same two vertices, near each other at equal parameters.
-  Refutation gap(EdgeUse a, EdgeUse b) {
+  Refutation gap(HalfEdge a, HalfEdge b) {
     if (begin(a) != end(b) || end(a) != begin(b)) return std::nullopt;
-    if (!are_close(edges_, a, b)) return std::nullopt;
-    const CurveNet<Integer> net_a = edges_.exact(a), net_b = edges_.exact(b);
+    if (!are_close(surface_, a, b)) return std::nullopt;
+    const CurveNet<Integer> net_a = surface_.exact(a), net_b = surface_.exact(b);
     // The middle first, where the edges are likely to be farthest apart.
     for (const int k : {8, 4, 12, 2, 6, 10, 14, 1, 3, 5, 7, 9, 11, 13, 15}) {
       const Rational t(k, 16);
       if (!is_off(net_b, point_at(net_a, t))) continue;
-      return "gap " + edge_name(edges_, a) + ' ' + edge_name(edges_, b) + ' ' + to_string(t);
+      return "gap " + edge_name(surface_, a) + ' ' + edge_name(surface_, b) + ' ' + to_string(t);
     }
     return std::nullopt;
   }
 
   // A hanging node: the second and the third edge lead back beside the first.
-  Refutation gap_at_node(const std::vector<EdgeUse>& uses) {
-    const EdgeUse a = uses[0], b = uses[1], c = uses[2];
+  Refutation gap_at_node(const std::vector<HalfEdge>& edges) {
+    const HalfEdge a = edges[0], b = edges[1], c = edges[2];
     if (begin(b) != end(a) || begin(c) != end(b) || end(c) != begin(a)) return std::nullopt;
-    if (edges_.element(b) == edges_.element(a) || edges_.element(c) == edges_.element(a)) return std::nullopt;
-    const CurveNet<Integer> net_a = edges_.exact(a), net_b = edges_.exact(b), net_c = edges_.exact(c);
-    const ElementFrame frame(edges_, a);
+    if (surface_.element(b) == surface_.element(a) || surface_.element(c) == surface_.element(a))
+      return std::nullopt;
+    const CurveNet<Integer> net_a = surface_.exact(a), net_b = surface_.exact(b), net_c = surface_.exact(c);
+    const ElementFrame frame(surface_, a);
     const auto is_beside = [&](const Point& point) { return is_near(frame, net_a, point); };
     const Point node = point_at(net_c, 0);
     const Rational half(1, 2);
@@ -162,22 +160,19 @@ class Refuter {
         !is_off(net_a, node)) {
       return std::nullopt;
     }
-    return "gap " + edge_name(edges_, a) + ' ' + edge_name(edges_, b) + ' ' + edge_name(edges_, c);
+    return "gap " + edge_name(surface_, a) + ' ' + edge_name(surface_, b) + ' ' + edge_name(surface_, c);
   }
 
-  MeshEdges edges_;
-  const Gluing& gluing_;
-  const MeshSurface& surface_;
+  const Surface& surface_;
   Coverage coverage_;
 };
 
 }  // namespace
 
-std::optional<std::string> find_refutation(const Mesh& mesh, const MeshResult& result,
-                                           std::span<const ElementState> claims) {
+std::optional<std::string> find_refutation(const MeshResult& result, std::span<const ElementState> claims) {
   const auto invalid = std::find(claims.begin(), claims.end(), ElementState::invalid);
   if (invalid != claims.end()) return "element " + std::to_string(invalid - claims.begin() + 1);
-  Refuter refuter(mesh, *result.surface, claims);
+  Refuter refuter(*result.surface, claims);
   for (const MeshObstacle& obstacle : result.obstacles.all()) {
     if (auto found = refuter.of(obstacle)) return found;
   }

@@ -6,7 +6,7 @@
 // image, a vertex whose elements fall apart, or edges that are close to each other and yet different.
 #pragma once
 
-#include "bezcert/mesh/embedding.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <optional>
 #include <span>
@@ -16,7 +16,6 @@ namespace bezcert {
 
 /// What follows `mesh refuted`: of the first obstacle that has any. `claims`: what the certificate claims of
 /// each element.
-std::optional<std::string> find_refutation(const Mesh& mesh, const MeshResult& result,
-                                           std::span<const ElementState> claims);
+std::optional<std::string> find_refutation(const MeshResult& result, std::span<const ElementState> claims);
 
 }  // namespace bezcert

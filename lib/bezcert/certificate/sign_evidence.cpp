@@ -52,15 +52,15 @@ std::optional<std::string> algebraic_evidence(const Polynomial<Integer>& n, int 
 
 std::optional<std::string> find_evidence(const Forms& forms, const Decision& decision, int direction,
                                          Strictness wanted) {
-  if (decision.sign_proof == "coefficients") return "coefficients";
+  if (decision.sign_proof == SignProof::coefficients) return "coefficients";
   TreeLimits limits;
-  if (decision.sign_proof == "subdivision") {
+  if (decision.sign_proof == SignProof::subdivision) {
     // The same pieces, in another order.
     limits.pieces = max_tree_pieces;
     limits.depth = max_tree_depth;
   }
   // The decision by algebra has spent pieces on N before: for a weak sign more of them do not help.
-  if (decision.sign_proof == "subdivision" || wanted == Strictness::strict) {
+  if (decision.sign_proof == SignProof::subdivision || wanted == Strictness::strict) {
     if (const auto bits = sign_tree(forms, direction, wanted, limits)) return tree_text(*bits);
   }
   return algebraic_evidence(forms.exact_jacobian().numerator, direction, wanted);

@@ -97,14 +97,13 @@ std::optional<std::string> sign_tree(const Polynomial<Integer>& f, Strictness wa
 
 std::optional<std::string> sign_tree(const Forms& forms, int direction, Strictness wanted,
                                      TreeLimits limits) {
-  const RoundingScope scope;
   JacobianTree tree(forms);
   std::vector<JacobianTree::Piece> stack = {JacobianTree::root};
   std::string bits;
   while (!stack.empty()) {
     const JacobianTree::Piece piece = stack.back();
     stack.pop_back();
-    const PieceSigns signs = tree.signs(scope, piece);
+    const PieceSigns signs = tree.signs(piece);
     const bool strict = direction > 0 ? tree.proves_positive(signs) : tree.proves_negative(signs);
     const bool weak = direction > 0 ? signs.none_negative : signs.none_positive;
     if (wanted == Strictness::strict ? strict : weak) {

@@ -1,12 +1,13 @@
 #include "bezcert/criterion/coefficients.hpp"
 
+#include "bezcert/element/jacobian_tree.hpp"
+
 namespace bezcert {
 
 Verdict coefficients(const Forms& forms) {
   Verdict verdict = begin_verdict(coefficients_info, Status::inconclusive);
-  const RoundingScope scope;
   JacobianTree tree(forms);
-  const PieceSigns signs = tree.signs(scope, JacobianTree::root);
+  const PieceSigns signs = tree.signs(JacobianTree::root);
   if (tree.proves_positive(signs)) {
     verdict.status = Status::proved;
     return verdict;
@@ -15,7 +16,7 @@ Verdict coefficients(const Forms& forms) {
     if (signs.corner[corner] > 0) continue;
     verdict.status = Status::refuted;
     verdict.reason = "det J <= 0 at corner " + std::to_string(corner);
-    verdict.witness = make_witness(forms.element(), tree.corner(JacobianTree::root, corner));
+    verdict.witness = make_witness(forms.exact(), tree.corner(JacobianTree::root, corner));
     return verdict;
   }
   verdict.reason = "a Bernstein coefficient of N is negative";

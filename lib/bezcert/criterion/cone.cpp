@@ -69,8 +69,7 @@ class EdgeView {
 // Checks one edge; the first condition that fails, or nothing.
 class EdgeCheck {
  public:
-  EdgeCheck(const Forms& forms, const RoundingScope& scope, int edge)
-      : forms_(forms), scope_(scope), edge_(edge), n_(forms.element().shape().degree(0)) {}
+  EdgeCheck(const Forms& forms, int edge) : forms_(forms), edge_(edge), n_(forms.element().shape().degree(0)) {}
 
   std::optional<std::string> failure() const {
     for (const auto check : {&EdgeCheck::weights, &EdgeCheck::guardable, &EdgeCheck::cones,
@@ -83,7 +82,7 @@ class EdgeCheck {
  private:
   template <class Expression>
   int sign_of(Expression expression) const {
-    return forms_.sign_of(scope_, [&](const auto& net) { return expression(EdgeView(net, edge_)); });
+    return forms_.sign_of([&](const auto& net) { return expression(EdgeView(net, edge_)); });
   }
 
   static std::string at(int i, int j) {
@@ -166,7 +165,6 @@ class EdgeCheck {
   }
 
   const Forms& forms_;
-  const RoundingScope& scope_;
   int edge_;
   int n_;
 };
@@ -215,10 +213,9 @@ Verdict cone(const Forms& forms) {
     verdict.reason = "stated for triangles";
     return verdict;
   }
-  const RoundingScope scope;
   std::string reasons;
   for (int edge = 0; edge < 3; ++edge) {
-    const auto failed = EdgeCheck(forms, scope, edge).failure();
+    const auto failed = EdgeCheck(forms, edge).failure();
     if (!failed) {
       verdict.status = Status::proved;
       return verdict;

@@ -15,15 +15,13 @@ Verdict control_net(const Forms& forms) {
     verdict.reason = "stated for equal weights";
     return verdict;
   }
-  const RoundingScope scope;
   const Shape shape = element.shape();
   for (int r = 0; r < shape.degree(0); ++r) {
     for (int c = 0; c < shape.degree(0) - r; ++c) {
       const std::size_t corner = coefficient_index(shape, r, c);
       const std::size_t right = coefficient_index(shape, r, c + 1);
       const std::size_t up = coefficient_index(shape, r + 1, c);
-      const int turn =
-          forms.sign_of(scope, [&](const auto& net) { return orientation(net, corner, right, up); });
+      const int turn = forms.sign_of([&](const auto& net) { return orientation(net, corner, right, up); });
       if (turn <= 0) {
         verdict.status = Status::inconclusive;
         verdict.reason = "control triangle " + exponents_text(shape.degree(0), {corner, right, up}) +

@@ -6,18 +6,14 @@
 
 #include "bezcert/criterion/quick_net.hpp"
 #include "bezcert/element/forms.hpp"
-#include "bezcert/proof/verdict.hpp"
+#include "bezcert/verdict/criterion_verdict.hpp"
 
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace bezcert {
-
-/// Whether the theorem is proven in docs/criteria.md (`sound`) or only published (`claimed`).
-enum class Standing { sound, claimed };
-
-std::string_view name(Standing standing);
 
 using Check = Verdict (*)(const Forms&);
 /// The status alone, or nothing if this net does not tell it.
@@ -49,6 +45,9 @@ inline Verdict begin_verdict(const Criterion& criterion, Status status) {
 
 /// All criteria, in the order of reports.
 std::span<const Criterion> criteria();
+
+/// The same, as choices (CheckOptions::criteria).
+std::vector<const Criterion*> all_criteria();
 
 /// The criterion of that name, or nullptr.
 const Criterion* find_criterion(std::string_view name);

@@ -60,10 +60,9 @@ Verdict orientation_condition(const Forms& forms) {
     verdict.reason = "stated for triangles";
     return verdict;
   }
-  const RoundingScope scope;
   const int n = forms.element().shape().degree(0);
   const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
-    return forms.sign_of(scope, [&](const auto& net) { return orientation(net, a, b, c); });
+    return forms.sign_of([&](const auto& net) { return orientation(net, a, b, c); });
   };
   const auto fail = [&](std::size_t a, std::size_t b, std::size_t c, const char* what) {
     verdict.status = Status::inconclusive;

@@ -11,18 +11,22 @@ namespace bezcert {
 namespace {
 
 // The order of reports. One line a criterion.
-constexpr std::array all_criteria = {
+constexpr std::array registered = {
     control_net_info, orientation_info, cone_info, coefficients_info, subdivision_info,
 };
 
 }  // namespace
 
-std::string_view name(Standing standing) { return standing == Standing::sound ? "sound" : "claimed"; }
+std::span<const Criterion> criteria() { return registered; }
 
-std::span<const Criterion> criteria() { return all_criteria; }
+std::vector<const Criterion*> all_criteria() {
+  std::vector<const Criterion*> result;
+  for (const Criterion& criterion : registered) result.push_back(&criterion);
+  return result;
+}
 
 const Criterion* find_criterion(std::string_view name) {
-  for (const Criterion& criterion : all_criteria) {
+  for (const Criterion& criterion : registered) {
     if (criterion.name == name) return &criterion;
   }
   return nullptr;

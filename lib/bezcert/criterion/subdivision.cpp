@@ -1,5 +1,7 @@
 #include "bezcert/criterion/subdivision.hpp"
 
+#include "bezcert/element/jacobian_tree.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -64,16 +66,16 @@ class Search {
   DeterminantBounds bounds() {
     std::vector<JacobianTree::Piece> pieces;
     for (const Leaf& leaf : leaves_) pieces.push_back(leaf.piece);
-    return tree_.bounds(scope_, pieces, bits_);
+    return tree_.bounds(pieces, bits_);
   }
 
  private:
   void add(JacobianTree::Piece piece) {
-    const PieceSigns signs = tree_.signs(scope_, piece);
+    const PieceSigns signs = tree_.signs(piece);
     for (std::size_t k = 0; k < tree_.corner_count() && !witness_; ++k) {
       if (signs.corner[k] <= 0) witness_ = tree_.corner(piece, k);
     }
-    const DeterminantBounds bounds = tree_.bounds(scope_, {&piece, 1}, bits_);
+    const DeterminantBounds bounds = tree_.bounds({&piece, 1}, bits_);
     leaves_.push_back({piece, tree_.proves_positive(signs), to_rational(bounds.min_lower),
                        to_rational(bounds.min_upper), to_rational(bounds.max_lower),
                        to_rational(bounds.max_upper)});
@@ -107,7 +109,6 @@ class Search {
 
   const SubdivisionOptions& options_;
   int bits_;
-  RoundingScope scope_;
   JacobianTree tree_;
   std::vector<Leaf> leaves_;
   std::optional<Parameter> witness_;
@@ -123,7 +124,7 @@ Verdict subdivision(const Forms& forms, const SubdivisionOptions& options) {
   verdict.bounds = search.bounds();
   if (search.witness()) {
     verdict.status = Status::refuted;
-    verdict.witness = make_witness(forms.element(), *search.witness());
+    verdict.witness = make_witness(forms.exact(), *search.witness());
     verdict.reason = "det J <= 0 at " + to_string(verdict.witness->parameter);
   } else if (search.proved()) {
     verdict.status = Status::proved;

@@ -68,7 +68,7 @@ class Search {
 
   template <class Predicate>
   bool holds(Piece a, Piece b, Predicate predicate) {
-    return filtered(scope_, a_, a, b_, b, predicate);
+    return filtered(a_, a, b_, b, predicate);
   }
 
   bool settled(const Task& task) {
@@ -172,12 +172,11 @@ class Search {
     AlgebraicContact found =
         contact_by_algebra(a_.exact(DyadicCurve::whole), b_.exact(DyadicCurve::whole), itself, joints,
                            merged(std::move(strips_s)), merged(std::move(strips_t)), budget_.algebra_bits);
-    if (!found.exhausted.empty()) return {ContactStatus::open, {}, std::move(found.exhausted)};
+    if (found.exceeded) return {ContactStatus::open, {}, found.exceeded};
     if (found.contact) return {ContactStatus::contact, std::move(found.contact), {}};
     return {ContactStatus::none, {}, {}};
   }
 
-  RoundingScope scope_;
   DyadicCurve& a_;
   DyadicCurve& b_;
   const ContactBudget& budget_;

@@ -7,10 +7,10 @@
 // (algebra/). Tangential contacts, contacts at irrational parameters and shared pieces are so decided.
 #pragma once
 
+#include "bezcert/curve/contact_budget.hpp"
 #include "bezcert/curve/dyadic_curve.hpp"
 
 #include <optional>
-#include <string>
 
 namespace bezcert {
 
@@ -27,24 +27,17 @@ struct Contact {
   bool along_a_piece = false;
 };
 
+/// A resultant that algebra was not asked about: its bits are more than the budget allows.
+struct ExceededBits {
+  std::size_t allowed = 0, needed = 0;
+};
+
 enum class ContactStatus { none, contact, open };
 
 struct ContactResult {
   ContactStatus status = ContactStatus::open;
-  std::optional<Contact> contact;  ///< set if contact
-  std::string exhausted;           ///< set if open: the budget that ran out
-};
-
-/// What algebra may take by default: some 10 s at the worst for elements up to degree 7.
-inline constexpr std::size_t default_algebra_bits = std::size_t{4095} << 13;
-
-struct ContactBudget {
-  /// Pairs of pieces compared before algebra is asked.
-  std::size_t pairs = 2048;
-  /// Halvings of a curve for one piece.
-  int depth = 64;
-  /// The largest resultant that algebra is asked about: degree times bits of a coefficient.
-  std::size_t algebra_bits = default_algebra_bits;
+  std::optional<Contact> contact;        ///< set if contact
+  std::optional<ExceededBits> exceeded;  ///< set if open
 };
 
 /// End points that are known to be common: they are no contact.

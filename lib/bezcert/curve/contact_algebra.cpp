@@ -143,12 +143,8 @@ AlgebraicContact contact_by_algebra(const CurveNet<Integer>& a, const CurveNet<I
   const std::size_t bits = static_cast<std::size_t>(std::max(resultant_degree_bound(f, g), 1)) *
                            (static_cast<std::size_t>(std::max(g.degree_v(), 0)) * longest_coefficient(f) +
                             static_cast<std::size_t>(std::max(f.degree_v(), 0)) * longest_coefficient(g));
-  if (bits > budget_bits) {
-    return {"algebra bits " + std::to_string(budget_bits) + " (the contact of two edges needs " +
-                std::to_string(bits) + ")",
-            std::nullopt};
-  }
-  return {"", Search(std::move(f), std::move(g), joints).run(strips_s, strips_t)};
+  if (bits > budget_bits) return {ExceededBits{budget_bits, bits}, std::nullopt};
+  return {std::nullopt, Search(std::move(f), std::move(g), joints).run(strips_s, strips_t)};
 }
 
 }  // namespace bezcert

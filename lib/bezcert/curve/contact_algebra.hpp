@@ -13,8 +13,8 @@
 namespace bezcert {
 
 struct AlgebraicContact {
-  std::string exhausted;           ///< not empty: the budget that is too small
-  std::optional<Contact> contact;  ///< a common point other than the joints
+  std::optional<ExceededBits> exceeded;  ///< set if the budget is too small; then nothing else is
+  std::optional<Contact> contact;        ///< a common point other than the joints
 };
 
 /// F and G, polynomials in u = s and v = t. `itself`: a and b are one curve, both are divided by s - t.

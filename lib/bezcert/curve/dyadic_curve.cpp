@@ -66,7 +66,9 @@ const CurveNet<T>& DyadicCurve::net(std::optional<CurveNet<T>> Node::*form, Piec
   return *(node.*form);
 }
 
-const CurveNet<Interval>& DyadicCurve::interval(Piece piece) { return net(&Node::interval, piece); }
+const CurveNet<Interval>& DyadicCurve::interval(const RoundUp&, Piece piece) {
+  return net(&Node::interval, piece);
+}
 const CurveNet<Integer>& DyadicCurve::exact(Piece piece) {
   if (!nodes_[whole].exact) nodes_[whole].exact = make_exact_();
   return net(&Node::exact, piece);

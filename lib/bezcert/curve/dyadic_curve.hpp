@@ -2,11 +2,12 @@
 //
 // Homogeneous control points (X, Y, W), W > 0. Halving integers multiplies all three coordinates of a piece
 // by one power of two, which changes no point. A geometric predicate is written once over the number type T
-// with `sign_of`; `filtered` runs it on intervals and, if any sign is uncertain, again on integers.
+// with `sign_of`; `filtered` runs it on intervals and, if any sign is uncertain, again on integers
+// (number/filtered_sign.hpp).
 #pragma once
 
-#include "bezcert/number/interval.hpp"
-#include "bezcert/number/rational.hpp"
+#include "bezcert/curve/curve_net.hpp"
+#include "bezcert/number/filtered_sign.hpp"
 
 #include <deque>
 #include <functional>
@@ -14,23 +15,6 @@
 #include <vector>
 
 namespace bezcert {
-
-/// Homogeneous control points of a curve, in order.
-template <class T>
-struct CurveNet {
-  std::vector<T> x, y, w;
-
-  std::size_t size() const { return x.size(); }
-};
-
-/// Thrown by `sign_of` inside `filtered` when an interval holds numbers of several signs.
-struct UncertainSign {};
-
-inline int sign_of(const Interval& value) {
-  if (const auto certain = certain_sign(value)) return *certain;
-  throw UncertainSign{};
-}
-inline int sign_of(const Integer& value) { return value.sign(); }
 
 /// A curve over [0, 1] with the binary tree of its halves.
 class DyadicCurve {
@@ -51,9 +35,10 @@ class DyadicCurve {
   /// The first and the second half.
   std::pair<Piece, Piece> halves(Piece piece);
 
-  bool has_interval() const { return nodes_[whole].interval.has_value(); }
-  /// Needs a RoundingScope. Precondition: has_interval().
-  const CurveNet<Interval>& interval(Piece piece);
+  /// Whether there is an interval form.
+  Filter filter() const { return nodes_[whole].interval ? Filter::on : Filter::off; }
+  /// Precondition: filter() == Filter::on.
+  const CurveNet<Interval>& interval(const RoundUp&, Piece piece);
   const CurveNet<Integer>& exact(Piece piece);
 
  private:
@@ -73,17 +58,14 @@ class DyadicCurve {
   std::function<CurveNet<Integer>()> make_exact_;
 };
 
-/// predicate(net of a, net of b) for pieces of two curves, on intervals or else exactly.
+/// The exact answer of predicate(net of a, net of b) for pieces of two curves.
 template <class Predicate>
-bool filtered(const RoundingScope&, DyadicCurve& a, DyadicCurve::Piece piece_a, DyadicCurve& b,
-              DyadicCurve::Piece piece_b, Predicate predicate) {
-  if (a.has_interval() && b.has_interval()) {
-    try {
-      return predicate(a.interval(piece_a), b.interval(piece_b));
-    } catch (const UncertainSign&) {
-    }
-  }
-  return predicate(a.exact(piece_a), b.exact(piece_b));
+bool filtered(DyadicCurve& a, DyadicCurve::Piece piece_a, DyadicCurve& b, DyadicCurve::Piece piece_b,
+              Predicate predicate) {
+  return filtered(
+      a.filter() == Filter::on ? b.filter() : Filter::off, predicate,
+      [&](const RoundUp& up) { return std::tie(a.interval(up, piece_a), b.interval(up, piece_b)); },
+      [&] { return std::tie(a.exact(piece_a), b.exact(piece_b)); });
 }
 
 }  // namespace bezcert

@@ -6,17 +6,11 @@
 // curves".
 #pragma once
 
-#include "bezcert/curve/dyadic_curve.hpp"
+#include "bezcert/curve/curve_net.hpp"
 
 namespace bezcert {
 
 /// Whether a and b are the same. Precondition: all weights are positive.
 bool same_curve(const CurveNet<Integer>& a, const CurveNet<Integer>& b);
-
-/// The curve run through from its end.
-template <class T>
-CurveNet<T> reversed(const CurveNet<T>& net) {
-  return {{net.x.rbegin(), net.x.rend()}, {net.y.rbegin(), net.y.rend()}, {net.w.rbegin(), net.w.rend()}};
-}
 
 }  // namespace bezcert

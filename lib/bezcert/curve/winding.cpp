@@ -56,22 +56,18 @@ struct Ray {
   HomogeneousPoint<Integer> exact;
 };
 
-// predicate(point, net) on intervals, or exactly.
+// The exact answer of predicate(point, net).
 template <class Predicate>
-auto filtered_at(DyadicCurve& curve, DyadicCurve::Piece piece, const Ray& ray, Predicate predicate) {
-  if (curve.has_interval()) {
-    try {
-      return predicate(ray.interval, curve.interval(piece));
-    } catch (const UncertainSign&) {
-    }
-  }
-  return predicate(ray.exact, curve.exact(piece));
+auto filtered(DyadicCurve& curve, DyadicCurve::Piece piece, const Ray& ray, Predicate predicate) {
+  return bezcert::filtered(
+      curve.filter(), predicate,
+      [&](const RoundUp& up) { return std::tie(ray.interval, curve.interval(up, piece)); },
+      [&] { return std::tie(ray.exact, curve.exact(piece)); });
 }
 
 }  // namespace
 
 std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int depth) {
-  const RoundingScope scope;
   const Integer w = lcm(Integer(denominator(point.x)), Integer(denominator(point.y)));
   const auto scaled = [&](const Rational& c) {
     return Integer(Integer(numerator(c)) * (w / denominator(c)));
@@ -83,11 +79,10 @@ std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int dep
   while (!pieces.empty()) {
     const DyadicCurve::Piece piece = pieces.back();
     pieces.pop_back();
-    if (filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return misses_ray(p, net); }))
+    if (filtered(curve, piece, ray, [](const auto& p, const auto& net) { return misses_ray(p, net); }))
       continue;
-    if (filtered_at(curve, piece, ray,
-                    [](const auto& p, const auto& net) { return is_outside_hull(p, net); })) {
-      sum += filtered_at(curve, piece, ray, [](const auto& p, const auto& net) { return crossing(p, net); });
+    if (filtered(curve, piece, ray, [](const auto& p, const auto& net) { return is_outside_hull(p, net); })) {
+      sum += filtered(curve, piece, ray, [](const auto& p, const auto& net) { return crossing(p, net); });
       continue;
     }
     if (curve.depth(piece) >= depth) return std::nullopt;
@@ -96,6 +91,35 @@ std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int dep
     pieces.push_back(second);
   }
   return sum;
+}
+
+std::optional<int> winding_number(std::span<DyadicCurve> chain, const Point& point, int depth) {
+  int sum = 0;
+  for (DyadicCurve& curve : chain) {
+    const std::optional<int> share = winding_share(curve, point, depth);
+    if (!share) return std::nullopt;
+    sum += *share;
+  }
+  return sum;
+}
+
+// The winding number of a simple chain is 0 outside and its orientation inside. Points beside the middle of
+// the first curve, nearer and nearer on both sides: one side is inside.
+int orientation(std::span<DyadicCurve> chain) {
+  constexpr int enough_halvings = 256;
+  const CurveNet<Integer> half = chain[0].exact(chain[0].halves(DyadicCurve::whole).first);
+  const std::size_t last = half.size() - 1;
+  const Point middle{Rational(half.x[last], half.w[last]), Rational(half.y[last], half.w[last])};
+  const Vector2<Integer> along = between(half, last - 1, half, last);
+  const Rational scale(Integer(half.w[last - 1] * half.w[last]));
+  for (Rational step(1, 2);; step /= 2) {
+    for (const int side : {1, -1}) {
+      const Rational factor = step * side / scale;
+      const Point beside{middle.x - Rational(along.y) * factor, middle.y + Rational(along.x) * factor};
+      const std::optional<int> winding = winding_number(chain, beside, enough_halvings);
+      if (winding && *winding != 0) return *winding;
+    }
+  }
 }
 
 }  // namespace bezcert

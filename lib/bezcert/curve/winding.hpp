@@ -10,6 +10,7 @@
 #include "bezcert/curve/point.hpp"
 
 #include <optional>
+#include <span>
 
 namespace bezcert {
 
@@ -17,5 +18,12 @@ namespace bezcert {
 /// is the winding number. Nothing if `depth` halvings do not separate the point from the curve. Precondition:
 /// the point is not on the curve (where it is, the answer means nothing).
 std::optional<int> winding_share(DyadicCurve& curve, const Point& point, int depth = 4096);
+
+/// The winding number of a closed chain. Nothing as above.
+std::optional<int> winding_number(std::span<DyadicCurve> chain, const Point& point, int depth = 4096);
+
+/// 1 if a closed chain runs counter-clockwise, -1 if clockwise. Precondition: it is simple, and the
+/// derivative of its first curve is not 0 in the middle.
+int orientation(std::span<DyadicCurve> chain);
 
 }  // namespace bezcert

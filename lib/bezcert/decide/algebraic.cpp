@@ -52,17 +52,15 @@ AlgebraicSigns algebraic_signs(const Polynomial<Integer>& n, int wanted, const S
   std::size_t bits_of_n = 0;
   for (const Integer& c : n.coefficients) bits_of_n += mpz_sizeinbase(c.backend().data(), 2);
   if (bits_of_n > budget_bits / 16) {
-    result.exhausted = "algebra bits " + std::to_string(budget_bits) + " (N has " +
-                       std::to_string(bits_of_n) + " bits, to be factored within a sixteenth of that)";
+    result.exhausted = ExhaustedBudget{ExhaustedBudget::Limit::factoring_bits, budget_bits, bits_of_n};
     return result;
   }
   const auto factors = irreducible_factors(powers);
   for (const auto& [factor, multiplicity] : factors) {
     const std::size_t bits = resultant_bits(factor);
     if (bits <= budget_bits) continue;
-    result.exhausted = "algebra bits " + std::to_string(budget_bits) + " (a factor of N of degree " +
-                       std::to_string(factor.degree_u()) + " in u and " + std::to_string(factor.degree_v()) +
-                       " in v needs " + std::to_string(bits) + ")";
+    result.exhausted = ExhaustedBudget{ExhaustedBudget::Limit::factor_bits, budget_bits, bits,
+                                       factor.degree_u(), factor.degree_v()};
     return result;
   }
   for (const auto& [factor, multiplicity] : factors) {

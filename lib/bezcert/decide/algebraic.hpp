@@ -6,24 +6,16 @@
 #pragma once
 
 #include "bezcert/algebra/zero_set.hpp"
+#include "bezcert/verdict/decision.hpp"
 
 #include <array>
 #include <optional>
-#include <string>
 
 namespace bezcert {
 
-/// The zero set of N in the closed domain.
-struct AlgebraicZero {
-  /// One zero in (u, v), element.hpp: rational, or isolated.
-  PlanarPoint at;
-  /// Of the whole zero set: 0 finitely many points, 1 a curve, 2 the whole domain.
-  int dimension = 0;
-};
-
 struct AlgebraicSigns {
-  /// Not empty: the budget that is too small; then nothing else is set.
-  std::string exhausted;
+  /// Set if the budget is too small; then nothing else is.
+  std::optional<ExhaustedBudget> exhausted;
   /// A rational (u, v) where N has the sign asked for, if N has it anywhere.
   std::optional<std::array<Rational, 2>> opposite;
   /// Only if there is no `opposite`.

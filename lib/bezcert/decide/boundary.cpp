@@ -19,11 +19,11 @@ CurveNet<T> edge_net(const Net<T>& net, int edge) {
 }  // namespace
 
 std::deque<DyadicCurve> edge_curves(const Forms& forms) {
-  const RoundingScope scope;
   std::deque<DyadicCurve> curves;
   for (int edge = 0; edge < (forms.element().is_triangle() ? 3 : 4); ++edge) {
     if (forms.filter() == Filter::on) {
-      curves.emplace_back(edge_net(forms.interval().net, edge),
+      const RoundUp up;
+      curves.emplace_back(edge_net(forms.interval(up).net, edge),
                           [&forms, edge] { return edge_net(forms.exact().net, edge); });
     } else {
       curves.emplace_back(std::nullopt, edge_net(forms.exact().net, edge));
@@ -33,7 +33,6 @@ std::deque<DyadicCurve> edge_curves(const Forms& forms) {
 }
 
 BoundaryResult examine_boundary(const Forms& forms, const ContactBudget& budget) {
-  const RoundingScope scope;
   std::deque<DyadicCurve> curves = edge_curves(forms);
   const int edges = static_cast<int>(curves.size());
   BoundaryResult result{BoundaryStatus::simple, {}, {}};
@@ -48,7 +47,8 @@ BoundaryResult examine_boundary(const Forms& forms, const ContactBudget& budget)
           {}};
     } else if (found.status == ContactStatus::open) {
       result.status = BoundaryStatus::open;
-      result.exhausted = std::move(found.exhausted);
+      result.exhausted = ExhaustedBudget{ExhaustedBudget::Limit::contact_bits, found.exceeded->allowed,
+                                         found.exceeded->needed};
     }
     return result.status == BoundaryStatus::overlapping;
   };

@@ -8,33 +8,19 @@
 #include "bezcert/curve/contact.hpp"
 #include "bezcert/element/forms.hpp"
 #include "bezcert/element/parameter.hpp"
+#include "bezcert/verdict/decision.hpp"
 
 #include <deque>
 #include <optional>
-#include <string>
 
 namespace bezcert {
-
-/// A part of the boundary: edge number (edge i leads from corner i to the next) and a parameter range on it,
-/// from 0 at the edge's first corner to 1. One point where lower == upper.
-struct BoundaryRange {
-  int edge = 0;
-  Rational lower, upper;
-};
-
-/// Two parts of the boundary that have an image point in common.
-struct Overlap {
-  BoundaryRange first, second;
-  /// Whether the two parts run along each other for a piece.
-  bool along_a_piece = false;
-};
 
 enum class BoundaryStatus { simple, overlapping, open };
 
 struct BoundaryResult {
   BoundaryStatus status = BoundaryStatus::open;
-  std::optional<Overlap> overlap;  ///< set if overlapping
-  std::string exhausted;           ///< set if open: the budget that ran out
+  std::optional<Overlap> overlap;            ///< set if overlapping
+  std::optional<ExhaustedBudget> exhausted;  ///< set if open
 };
 
 /// The curves of the edges, in order.

@@ -1,6 +1,9 @@
 #include "bezcert/decide/decide.hpp"
 
+#include "bezcert/decide/algebraic.hpp"
+#include "bezcert/decide/boundary.hpp"
 #include "bezcert/decide/injectivity.hpp"
+#include "bezcert/element/jacobian_tree.hpp"
 
 #include <algorithm>
 
@@ -23,11 +26,11 @@ class SignSearch {
     while (done_ < open_.size() && !folded()) {
       const JacobianTree::Piece piece = open_[done_];
       if (tree_.depth(piece) >= budget_.depth) {
-        exhausted_ = "subdivision depth " + std::to_string(budget_.depth);
+        exhausted_ = {ExhaustedBudget::Limit::depth, static_cast<std::size_t>(budget_.depth)};
       } else if (!tree_.may_split(pieces)) {
-        exhausted_ = tree_.piece_count() + 2 > pieces ? "subdivision pieces " + std::to_string(pieces)
-                                                      : "subdivision bits " + std::to_string(max_tree_bits) +
-                                                            " (the numbers are too long)";
+        exhausted_ = tree_.piece_count() + 2 > pieces
+                         ? ExhaustedBudget{ExhaustedBudget::Limit::pieces, pieces}
+                         : ExhaustedBudget{ExhaustedBudget::Limit::memory_bits, max_tree_bits};
       } else {
         const auto [first, second] = tree_.split(piece);
         visit(first);
@@ -44,14 +47,15 @@ class SignSearch {
   const std::optional<CornerOfPiece>& negative() const { return negative_; }
   const std::optional<CornerOfPiece>& zero() const { return zero_; }
   const std::optional<CornerOfPiece>& positive() const { return positive_; }
-  const std::string& exhausted() const { return exhausted_; }
+  /// Precondition: not settled.
+  const ExhaustedBudget& exhausted() const { return exhausted_; }
   const JacobianTree& tree() const { return tree_; }
 
   // Cuts pieces whose smallest coefficient is 0 although N > 0 there, so that the lower bound says so too.
   // Precondition: det J > 0 is proved. Ends because the coefficients converge to N.
   void raise_lower_bound() {
     for (std::size_t i = 0; i < settled_.size() && tree_.may_split(budget_.pieces);) {
-      if (sign(tree_.bounds(scope_, {&settled_[i], 1}).min_lower) > 0) {
+      if (sign(tree_.bounds({&settled_[i], 1}).min_lower) > 0) {
         ++i;
         continue;
       }
@@ -81,12 +85,12 @@ class SignSearch {
   DeterminantBounds bounds() {
     std::vector<JacobianTree::Piece> leaves(settled_);
     leaves.insert(leaves.end(), open_.begin() + static_cast<std::ptrdiff_t>(done_), open_.end());
-    return tree_.bounds(scope_, leaves);
+    return tree_.bounds(leaves);
   }
 
  private:
   void visit(JacobianTree::Piece piece) {
-    const PieceSigns signs = tree_.signs(scope_, piece);
+    const PieceSigns signs = tree_.signs(piece);
     bool corner_is_zero = false;
     for (std::size_t k = 0; k < tree_.corner_count(); ++k) {
       auto& slot = signs.corner[k] < 0 ? negative_ : signs.corner[k] == 0 ? zero_ : positive_;
@@ -108,14 +112,13 @@ class SignSearch {
   }
 
   const Budget& budget_;
-  RoundingScope scope_;
   JacobianTree tree_;
   std::vector<JacobianTree::Piece> settled_;
   std::vector<JacobianTree::Piece> with_zero_;  // those settled ones where N vanishes
   std::vector<JacobianTree::Piece> open_;       // in breadth-first order; the first done_ are split
   std::size_t done_ = 0;
   std::optional<CornerOfPiece> negative_, zero_, positive_;
-  std::string exhausted_;
+  ExhaustedBudget exhausted_;
 };
 
 ElementVerdict verdict_of(const SignSearch& search) {
@@ -126,8 +129,8 @@ ElementVerdict verdict_of(const SignSearch& search) {
 }
 
 // Two independent computations of one sign: evidence that does not hold is never given out.
-Witness checked_witness(const Element& element, Parameter parameter, int expected) {
-  Witness witness = make_witness(element, std::move(parameter));
+Witness checked_witness(const Forms& forms, Parameter parameter, int expected) {
+  Witness witness = make_witness(forms.exact(), std::move(parameter));
   if (sign(witness.determinant) != expected || !witness.parameter.is_inside()) {
     throw std::logic_error("decide: a witness does not hold");
   }
@@ -150,7 +153,6 @@ int some_sign(const SignSearch& search, const Polynomial<Integer>& n) {
 void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearch& search,
                        Decision& decision) {
   const Polynomial<Integer>& n = forms.exact_jacobian().numerator;
-  const Element& element = forms.element();
   const bool open = decision.verdict == ElementVerdict::undecided;
   if (std::all_of(n.coefficients.begin(), n.coefficients.end(),
                   [](const Integer& c) { return c.is_zero(); })) {
@@ -160,16 +162,15 @@ void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearc
   }
   const int met = some_sign(search, n);
   AlgebraicSigns signs = algebraic_signs(n, -met, search.strips(0), search.strips(1), budget.algebra_bits);
-  if (!signs.exhausted.empty()) {
-    decision.open = "budget: " + signs.exhausted;
+  if (signs.exhausted) {
+    decision.exhausted = {*signs.exhausted};
     return;
   }
   decision.zero = std::move(signs.zero);
   if (!open) return;
-  decision.open.clear();
-  decision.sign_proof = "algebra";
+  decision.sign_proof = SignProof::algebra;
   const auto witness_at = [&](const std::array<Rational, 2>& uv, int expected) {
-    return checked_witness(element, Parameter::at(element.shape().domain, {uv[0], uv[1]}), expected);
+    return checked_witness(forms, Parameter::at(n.shape.domain, {uv[0], uv[1]}), expected);
   };
   if (signs.opposite) {
     decision.verdict = ElementVerdict::folded;
@@ -193,7 +194,7 @@ void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearc
 // Dyadic witnesses that the subdivision met, where algebra has not given others.
 void add_witnesses(const Forms& forms, const SignSearch& search, Decision& decision) {
   const auto witness_at = [&](const CornerOfPiece& place, int expected) {
-    return checked_witness(forms.element(), search.tree().corner(place.piece, place.corner), expected);
+    return checked_witness(forms, search.tree().corner(place.piece, place.corner), expected);
   };
   if (!decision.witness && search.negative()) decision.witness = witness_at(*search.negative(), -1);
   if (!decision.witness && search.zero() && decision.verdict != ElementVerdict::regular) {
@@ -211,6 +212,16 @@ void add_witnesses(const Forms& forms, const SignSearch& search, Decision& decis
 PlanarPoint point_of(const Parameter& parameter) {
   const std::vector<Rational> uv = parameter.affine();
   return {rational_root(uv[0]), rational_root(uv[1])};
+}
+
+// The zero set of a degenerate element. A zero at a corner of a piece is the better evidence.
+void describe_zeros(const Forms& forms, const Budget& budget, const SignSearch& search, Decision& decision) {
+  if (!decision.zero && budget.algebra_bits > 0) {
+    decide_by_algebra(forms, budget, search, decision);
+    decision.exhausted.clear();  // the verdict is not open
+  }
+  if (decision.zero && decision.witness) decision.zero->at = point_of(decision.witness->parameter);
+  if (!decision.zero) decision.zero = AlgebraicZero{point_of(decision.witness->parameter), -1};
 }
 
 // The bounds of the subdivision, with what algebra knows.
@@ -234,51 +245,26 @@ void tighten(Decision& decision) {
 
 // From regular to injective or overlapping, if a proof or an overlap is found.
 void decide_injectivity(const Forms& forms, const Budget& budget, Decision& decision) {
-  if (const auto proof = prove_injective(forms)) {
+  decision.injectivity_proof = prove_injective(forms);
+  if (decision.injectivity_proof != InjectivityProof::none) {
     decision.verdict = ElementVerdict::injective;
-    decision.injectivity_proof = *proof;
     return;
   }
   BoundaryResult boundary = examine_boundary(forms, budget.contact);
   switch (boundary.status) {
     case BoundaryStatus::simple:
       decision.verdict = ElementVerdict::injective;
-      decision.injectivity_proof = "boundary";
+      decision.injectivity_proof = InjectivityProof::boundary;
       return;
     case BoundaryStatus::overlapping:
       decision.verdict = ElementVerdict::overlapping;
       decision.overlap = std::move(boundary.overlap);
       return;
-    case BoundaryStatus::open:
-      decision.open = "budget: " + boundary.exhausted + " (det J > 0, injectivity open)";
-      return;
+    case BoundaryStatus::open: decision.exhausted = {*boundary.exhausted}; return;
   }
 }
 
 }  // namespace
-
-std::string_view name(ElementVerdict verdict) {
-  switch (verdict) {
-    case ElementVerdict::injective: return "injective";
-    case ElementVerdict::regular: return "regular";
-    case ElementVerdict::overlapping: return "overlapping";
-    case ElementVerdict::degenerate: return "degenerate";
-    case ElementVerdict::folded: return "folded";
-    case ElementVerdict::reversed: return "reversed";
-    case ElementVerdict::undecided: return "undecided";
-  }
-  return "";
-}
-
-bool is_regular(ElementVerdict verdict) {
-  return verdict == ElementVerdict::injective || verdict == ElementVerdict::regular ||
-         verdict == ElementVerdict::overlapping;
-}
-
-bool is_invalid(ElementVerdict verdict) {
-  return verdict == ElementVerdict::overlapping || verdict == ElementVerdict::degenerate ||
-         verdict == ElementVerdict::folded || verdict == ElementVerdict::reversed;
-}
 
 Decision decide(const Forms& forms, const Budget& budget) {
   SignSearch search(forms, budget);
@@ -288,35 +274,25 @@ Decision decide(const Forms& forms, const Budget& budget) {
   if (decision.verdict == ElementVerdict::undecided && budget.algebra_bits > 0) {
     decide_by_algebra(forms, budget, search, decision);
   }
-  std::string algebra_exhausted = std::move(decision.open);
   if (decision.verdict == ElementVerdict::undecided) {
     search.run(budget.pieces);
     decision.verdict = verdict_of(search);
   }
   decision.pieces = search.tree().piece_count();
-  if (decision.sign_proof.empty())
-    decision.sign_proof = decision.pieces == 1 ? "coefficients" : "subdivision";
+  if (decision.sign_proof != SignProof::algebra && decision.pieces > 1)
+    decision.sign_proof = SignProof::subdivision;
   decision.bounds = search.bounds();
   if (decision.verdict == ElementVerdict::regular && sign(decision.bounds.min_lower) <= 0) {
     search.raise_lower_bound();
     decision.bounds = search.bounds();
   }
   add_witnesses(forms, search, decision);
-  switch (decision.verdict) {
-    case ElementVerdict::undecided:
-      decision.open = "budget: " + search.exhausted();
-      if (!algebra_exhausted.empty()) decision.open += "; " + algebra_exhausted;
-      if (search.negative()) decision.open += " (folded or reversed)";
-      break;
-    case ElementVerdict::degenerate:
-      if (!decision.zero && budget.algebra_bits > 0) decide_by_algebra(forms, budget, search, decision);
-      decision.open.clear();
-      // A zero at a corner of a piece is the better evidence.
-      if (decision.zero && decision.witness) decision.zero->at = point_of(decision.witness->parameter);
-      if (!decision.zero) decision.zero = AlgebraicZero{point_of(decision.witness->parameter), -1};
-      break;
-    default: break;
+  if (decision.verdict == ElementVerdict::undecided) {
+    decision.exhausted.insert(decision.exhausted.begin(), search.exhausted());
+  } else {
+    decision.exhausted.clear();  // what algebra could not tell, more pieces did
   }
+  if (decision.verdict == ElementVerdict::degenerate) describe_zeros(forms, budget, search, decision);
   tighten(decision);
   if (decision.verdict == ElementVerdict::regular) decide_injectivity(forms, budget, decision);
   return decision;

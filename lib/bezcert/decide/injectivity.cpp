@@ -74,23 +74,25 @@ T mixed(const Columns<T>& m, std::size_t i, std::size_t j) {
   return once + (m.ux[j] * m.vy[i] - m.uy[j] * m.vx[i]);
 }
 
-bool jacobian_hull(const Forms& forms, const RoundingScope&) {
-  std::optional<Columns<Interval>> filter;
-  if (forms.filter() == Filter::on) filter = columns(forms.interval().net);
+bool jacobian_hull(const Forms& forms) {
+  std::optional<Columns<Interval>> intervals;
   std::optional<Columns<Integer>> exact;
-  const std::size_t count = [&] {
-    if (!filter) exact = columns(forms.exact().net);
-    return filter ? filter->ux.size() : exact->ux.size();
-  }();
+  if (forms.filter() == Filter::on) {
+    const RoundUp up;
+    intervals = columns(forms.interval(up).net);
+  } else {
+    exact = columns(forms.exact().net);
+  }
+  const auto in_integers = [&] {
+    if (!exact) exact = columns(forms.exact().net);
+    return std::tie(*exact);
+  };
+  const std::size_t count = intervals ? intervals->ux.size() : exact->ux.size();
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i; j < count; ++j) {
-      if (filter) {
-        const Interval value = mixed(*filter, i, j);
-        if (value.inf() > 0) continue;
-        if (value.sup() < 0) return false;
-      }
-      if (!exact) exact = columns(forms.exact().net);
-      const int s = sign(mixed(*exact, i, j));
+      const int s = filtered_sign(
+          forms.filter(), [&](const auto& all) { return mixed(all, i, j); },
+          [&](const RoundUp&) { return std::tie(*intervals); }, in_integers);
       if (s < 0 || (s == 0 && i == j)) return false;
     }
   }
@@ -104,12 +106,11 @@ bool derivative_is_affine_on_segments(const Element& element) {
 
 }  // namespace
 
-std::optional<std::string_view> prove_injective(const Forms& forms) {
-  if (derivative_is_affine_on_segments(forms.element())) return "midpoint";
-  const RoundingScope scope;
-  if (jacobian_hull(forms, scope)) return "jacobian_hull";
-  if (orientation_condition(forms).status == Status::proved) return "orientation";
-  return std::nullopt;
+InjectivityProof prove_injective(const Forms& forms) {
+  if (derivative_is_affine_on_segments(forms.element())) return InjectivityProof::midpoint;
+  if (jacobian_hull(forms)) return InjectivityProof::jacobian_hull;
+  if (orientation_condition(forms).status == Status::proved) return InjectivityProof::orientation;
+  return InjectivityProof::none;
 }
 
 }  // namespace bezcert

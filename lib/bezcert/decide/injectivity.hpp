@@ -11,13 +11,11 @@
 #pragma once
 
 #include "bezcert/element/forms.hpp"
-
-#include <optional>
-#include <string_view>
+#include "bezcert/verdict/element_verdict.hpp"
 
 namespace bezcert {
 
-/// The name of a proof that the element is injective, or nothing. Precondition: the element is regular.
-std::optional<std::string_view> prove_injective(const Forms& forms);
+/// What proves that the element is injective, or `none`. Precondition: the element is regular.
+InjectivityProof prove_injective(const Forms& forms);
 
 }  // namespace bezcert

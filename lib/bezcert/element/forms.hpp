@@ -6,13 +6,11 @@
 
 #include "bezcert/element/jacobian.hpp"
 #include "bezcert/element/net.hpp"
+#include "bezcert/number/filtered_sign.hpp"
 
 #include <optional>
 
 namespace bezcert {
-
-/// Whether to try intervals before exact integers. Answers do not depend on it (a test checks).
-enum class Filter { on, off };
 
 /// N (times `numerator_multiple`) and W of an element.
 template <class T>
@@ -31,18 +29,17 @@ class Forms {
   const Element& element() const { return element_; }
   Filter filter() const { return filter_; }
 
-  /// Needs a RoundingScope alive on the thread.
-  const IntervalNet& interval() const {
-    if (!interval_) interval_ = interval_net(element_);
+  const IntervalNet& interval(const RoundUp& up) const {
+    if (!interval_) interval_ = interval_net(up, element_);
     return *interval_;
   }
   const ExactNet& exact() const {
     if (!exact_) exact_ = exact_net(element_);
     return *exact_;
   }
-  /// The same for N and W. `interval_jacobian` needs a RoundingScope alive on the thread.
-  const JacobianForm<Interval>& interval_jacobian() const {
-    if (!interval_jacobian_) interval_jacobian_ = jacobian_form(interval().net);
+  /// The same for N and W.
+  const JacobianForm<Interval>& interval_jacobian(const RoundUp& up) const {
+    if (!interval_jacobian_) interval_jacobian_ = jacobian_form(interval(up).net);
     return *interval_jacobian_;
   }
   const JacobianForm<Integer>& exact_jacobian() const {
@@ -54,11 +51,10 @@ class Forms {
 
   /// The sign of `expression(net)`, an expression in +, -, * written once for any number type.
   template <class Expression>
-  int sign_of(const RoundingScope&, Expression expression) const {
-    if (filter_ == Filter::on) {
-      if (const auto certain = certain_sign(expression(interval().net))) return *certain;
-    }
-    return sign(expression(exact().net));
+  int sign_of(Expression expression) const {
+    return filtered_sign(
+        filter_, expression, [&](const RoundUp& up) { return std::tie(interval(up).net); },
+        [&] { return std::tie(exact().net); });
   }
 
  private:

@@ -27,7 +27,7 @@ Shape numerator_shape(Shape element, bool rational);
 /// multiple of the multinomials of its shape.
 const Integer& numerator_multiple(Shape numerator);
 
-/// N times `numerator_multiple`, for T = Interval (needs a RoundingScope) or Integer.
+/// N times `numerator_multiple`, for T = Interval (while a RoundUp lives) or Integer.
 template <class T>
 Polynomial<T> jacobian_numerator(const Net<T>& net);
 

@@ -1,6 +1,7 @@
 #include "bezcert/element/jacobian_tree.hpp"
 
 #include "bezcert/element/bisect.hpp"
+#include "bezcert/number/outward.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -108,25 +109,20 @@ auto JacobianTree::slot<Integer>(Node& node) -> std::optional<PieceForm<Integer>
   return node.exact;
 }
 
-template <class T>
-auto JacobianTree::root_form() const -> PieceForm<T> {
-  if constexpr (std::is_same_v<T, Interval>) {
-    return {forms_.interval_jacobian(), 0, 0};
-  } else {
-    return {forms_.exact_jacobian(), 0, 0};
-  }
-}
-
-template <class T>
-auto JacobianTree::form(Piece piece) -> const PieceForm<T>& {
+template <class T, class... Witness>
+auto JacobianTree::form(Piece piece, const Witness&... up) -> const PieceForm<T>& {
   auto& own = slot<T>(nodes_[piece]);
   if (own) return *own;
   if (piece == root) {
-    own = root_form<T>();
+    if constexpr (std::is_same_v<T, Interval>) {
+      own = {forms_.interval_jacobian(up...), 0, 0};
+    } else {
+      own = {forms_.exact_jacobian(), 0, 0};
+    }
     return *own;
   }
   const Node& node = nodes_[piece];
-  const PieceForm<T>& parent = form<T>(node.parent);
+  const PieceForm<T>& parent = form<T>(node.parent, up...);
   const int factor = factor_to_cut(parent.numerator.shape.domain, nodes_[node.parent].depth);
   auto numerators = bisect(parent.numerator, factor);
   auto weights = bisect(parent.weight, factor);
@@ -168,9 +164,10 @@ bool JacobianTree::may_split(std::size_t limit) {
   return wanted <= affordable_pieces_;
 }
 
-PieceSigns JacobianTree::signs(const RoundingScope&, Piece piece) {
+PieceSigns JacobianTree::signs(Piece piece) {
   if (forms_.filter() == Filter::on) {
-    if (const auto certain = certain_signs(form<Interval>(piece).numerator.coefficients, corners_)) {
+    const RoundUp up;
+    if (const auto certain = certain_signs(form<Interval>(piece, up).numerator.coefficients, corners_)) {
       return *certain;
     }
   }
@@ -226,14 +223,14 @@ Parameter JacobianTree::corner(Piece piece, std::size_t corner) const {
   return Parameter::at(domain, affine);
 }
 
-template <class T>
-auto JacobianTree::extremes(std::span<const Piece> pieces) -> Extremes<T> {
+template <class T, class... Witness>
+auto JacobianTree::extremes(std::span<const Piece> pieces, const Witness&... up) -> Extremes<T> {
   using Coefficient = std::conditional_t<std::is_same_v<T, Rational>, Integer, Interval>;
   const bool rational = forms_.element().rational();
   Extremes<T> result;
   bool first = true;
   for (const Piece piece : pieces) {
-    const PieceForm<Coefficient>& f = form<Coefficient>(piece);
+    const PieceForm<Coefficient>& f = form<Coefficient>(piece, up...);
     auto [low, high] = coefficient_range<T>(f.numerator, f.numerator_shift);
     std::vector<T> values;
     for (const std::size_t i : corners_)
@@ -261,13 +258,14 @@ auto JacobianTree::extremes(std::span<const Piece> pieces) -> Extremes<T> {
   return result;
 }
 
-DeterminantBounds JacobianTree::bounds(const RoundingScope&, std::span<const Piece> pieces, int bits) {
+DeterminantBounds JacobianTree::bounds(std::span<const Piece> pieces, int bits) {
   const Shape element = forms_.element().shape();
   const Integer& multiple = numerator_multiple(numerator_shape(element, forms_.element().rational()));
   if (forms_.filter() == Filter::on) {
-    const Interval scale = forms_.interval().scale;
+    const RoundUp up;
+    const Interval scale = forms_.interval(up).scale;
     const Interval factor = Interval(degree_factor(element)) * scale * scale / to_interval(multiple);
-    const Extremes<Interval> found = extremes<Interval>(pieces);
+    const Extremes<Interval> found = extremes<Interval>(pieces, up);
     const auto min_lower = round_down(found.min_lower * factor, bits);
     const auto min_upper = round_up(found.min_upper * factor, bits);
     const auto max_lower = round_down(found.max_lower * factor, bits);

@@ -9,9 +9,9 @@
 // All signs and bounds here are functions of the exact coefficients; intervals only save the work.
 #pragma once
 
+#include "bezcert/element/determinant_bounds.hpp"
 #include "bezcert/element/forms.hpp"
 #include "bezcert/element/parameter.hpp"
-#include "bezcert/number/outward.hpp"
 
 #include <array>
 #include <deque>
@@ -25,12 +25,6 @@ struct PieceSigns {
   bool none_negative = false;                            ///< every coefficient is >= 0
   bool none_positive = false;                            ///< every coefficient is <= 0
   std::array<signed char, 1 << max_dimension> corner{};  ///< sign at each corner; the rest unused
-};
-
-/// Proven bounds: min_lower <= min det J <= min_upper, max_lower <= max det J <= max_upper. The inner two are
-/// the extreme values at corners of pieces; the outer two come from the extreme coefficients over the pieces.
-struct DeterminantBounds {
-  Dyadic min_lower, min_upper, max_lower, max_upper;
 };
 
 /// N and W on one piece. The coefficients are those of the whole domain's scale times 2^shift: integers are
@@ -65,7 +59,7 @@ class JacobianTree {
   std::pair<Piece, Piece> split(Piece piece);
 
   /// The exact signs of the coefficients on a piece.
-  PieceSigns signs(const RoundingScope& scope, Piece piece);
+  PieceSigns signs(Piece piece);
 
   /// Whether `signs` proves det J > 0 (or < 0) on the whole closed piece.
   bool proves_positive(const PieceSigns& signs) const;
@@ -76,7 +70,7 @@ class JacobianTree {
 
   /// Bounds of det J over the union of the given pieces, rounded outwards to `bits` bits (outward.hpp).
   /// Precondition: `pieces` is not empty.
-  DeterminantBounds bounds(const RoundingScope& scope, std::span<const Piece> pieces, int bits = report_bits);
+  DeterminantBounds bounds(std::span<const Piece> pieces, int bits = report_bits);
 
  private:
   struct Node {
@@ -91,12 +85,11 @@ class JacobianTree {
 
   template <class T>
   static std::optional<PieceForm<T>>& slot(Node& node);
-  template <class T>
-  const PieceForm<T>& form(Piece piece);
-  template <class T>
-  PieceForm<T> root_form() const;
-  template <class T>
-  Extremes<T> extremes(std::span<const Piece> pieces);
+  // Witness: a RoundUp for intervals, nothing for integers.
+  template <class T, class... Witness>
+  const PieceForm<T>& form(Piece piece, const Witness&... up);
+  template <class T, class... Witness>
+  Extremes<T> extremes(std::span<const Piece> pieces, const Witness&... up);
 
   const Forms& forms_;
   std::size_t corner_count_;

@@ -29,7 +29,7 @@ struct BasisChange {
 /// coefficients = matrix * nodal values / denominator. Built once a shape, then kept.
 const BasisChange& lagrange_to_bernstein(Shape shape);
 
-/// Nodal values to `denominator` times the coefficients, for T = Interval (needs a RoundingScope) or Integer.
+/// Nodal values to `denominator` times the coefficients, for T = Interval (while a RoundUp lives) or Integer.
 /// Nothing happens to an empty list.
 template <class T>
 void change_basis(const BasisChange& change, std::vector<T>& values) {

@@ -82,7 +82,7 @@ ScaledIntegers common_coordinates(std::span<const ExactVector> coordinates) {
 
 }  // namespace
 
-IntervalNet interval_net(const Element& element) {
+IntervalNet interval_net(const RoundUp&, const Element& element) {
   IntervalNet result;
   Net<Interval>& net = result.net;
   net.shape = element.shape();
@@ -97,7 +97,7 @@ IntervalNet interval_net(const Element& element) {
   if (element.rational()) {
     net.weights.reserve(element.weights().size());
     for (std::size_t i = 0; i < element.weights().size(); ++i) {
-      net.weights.push_back(element.weights().interval(i));
+      net.weights.push_back(interval_at(element.weights(), i));
     }
     multiply_all(net.weights, normalizing_factor(largest_magnitude(net.weights)));
     make_homogeneous(net);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "bezcert/element/element.hpp"
+#include "bezcert/number/interval.hpp"
 
 #include <array>
 #include <vector>
@@ -34,8 +35,8 @@ struct ExactNet {
   Rational scale;
 };
 
-/// Intervals that contain the net. Needs a RoundingScope alive on the thread.
-IntervalNet interval_net(const Element& element);
+/// Intervals that contain the net.
+IntervalNet interval_net(const RoundUp&, const Element& element);
 
 /// The net itself.
 ExactNet exact_net(const Element& element);

@@ -1,7 +1,7 @@
 // Our own exact format, .bez.json (docs/formats.md). All numbers mean their exact decimal value, or p/q.
 #pragma once
 
-#include "bezcert/mesh/input_curve.hpp"
+#include "bezcert/curve/input_curve.hpp"
 #include "bezcert/mesh/mesh.hpp"
 
 #include <iosfwd>

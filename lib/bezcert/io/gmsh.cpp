@@ -42,7 +42,6 @@ int read_format(GmshSource& source) {
 }  // namespace
 
 Mesh read_gmsh(const std::string& file, std::string_view bytes, const ReadOptions& options) {
-  const NearestRounding nearest;  // text to doubles
   GmshSource source(file, bytes);
   GmshContent content(source, options);
   int version = 0;

@@ -85,7 +85,7 @@ bool read_plain_nodes(GmshSource& source, GmshContent& content, std::size_t coun
   if (!places) return false;
   std::vector<std::uint64_t> list(count);
   const std::size_t line_before = source.line();
-  const bool read = source.read_plainly(count, content.parallel(), [&](PlainLine& line, std::size_t i) {
+  const bool read = source.read_plainly(count, content.executor(), [&](PlainLine& line, std::size_t i) {
     NodeLine node;
     if (!node.read(line) || node.z != first.z) return false;
     list[i] = node.tag;
@@ -132,7 +132,7 @@ bool read_plain_elements(GmshSource& source, GmshContent& content, std::size_t c
   const auto places = content.begin_elements(type, count);
   if (!places) return false;
   const std::size_t line_before = source.line();
-  const bool read = source.read_plainly(count, content.parallel(), [&](PlainLine& line, std::size_t i) {
+  const bool read = source.read_plainly(count, content.executor(), [&](PlainLine& line, std::size_t i) {
     ElementStart start;
     if (!start.read(line) || start.type != first.type) return false;
     places->set(i, start.tag, line_before + 1 + i);

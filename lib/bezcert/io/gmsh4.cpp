@@ -115,7 +115,7 @@ void read_element_line(GmshSource& source, GmshContent& content, const GmshType&
 }
 
 // The tags of a block's nodes, a line each: numbers that follow each other, nearly always.
-NodeTags read_tags(GmshSource& source, const Parallel& parallel, std::size_t count) {
+NodeTags read_tags(GmshSource& source, Executor* executor, std::size_t count) {
   NodeTags tags;
   PlainLine peek = source.plain();
   std::uint64_t first = 0;
@@ -123,13 +123,13 @@ NodeTags read_tags(GmshSource& source, const Parallel& parallel, std::size_t cou
     std::uint64_t tag = 0;
     return line.natural(tag) && tag == first + i;
   };
-  if (peek.natural(first) && source.read_plainly(count, parallel, follows)) {
+  if (peek.natural(first) && source.read_plainly(count, executor, follows)) {
     tags.append_consecutive(first, count);
     return tags;
   }
   std::vector<std::uint64_t> list(count);
   const auto read_round = [&](std::size_t begin, std::size_t size) {
-    return source.read_plainly(size, parallel,
+    return source.read_plainly(size, executor,
                                [&](PlainLine& line, std::size_t i) { return line.natural(list[begin + i]); });
   };
   read_rounds(count, round_size, read_round, [&](std::size_t i) { list[i] = read_tag(source); });
@@ -138,7 +138,7 @@ NodeTags read_tags(GmshSource& source, const Parallel& parallel, std::size_t cou
 }
 
 void read_text_nodes(GmshSource& source, GmshContent& content, std::size_t count, std::size_t extra) {
-  const NodeTags tags = read_tags(source, content.parallel(), count);
+  const NodeTags tags = read_tags(source, content.executor(), count);
   const auto read_points = [&](std::size_t first, std::size_t size) {
     if (extra != 0) return false;
     PlainLine peek = source.plain();
@@ -147,7 +147,7 @@ void read_text_nodes(GmshSource& source, GmshContent& content, std::size_t count
     const auto places = content.begin_nodes(size, z);
     if (!places) return false;
     const std::size_t line_before = source.line();
-    const bool read = source.read_plainly(size, content.parallel(), [&](PlainLine& line, std::size_t i) {
+    const bool read = source.read_plainly(size, content.executor(), [&](PlainLine& line, std::size_t i) {
       double height = 0;
       return line.number(places->x[i]) && line.number(places->y[i]) && line.number(height) &&
              height == places->z;
@@ -174,7 +174,7 @@ void read_binary_nodes(GmshSource& source, GmshContent& content, std::size_t cou
   };
   const auto places = content.begin_nodes(count, number(0, 2));
   std::atomic<bool> plain = places.has_value(), consecutive = true;
-  run_ranges(content.parallel(), places ? count : 0, part, [&](std::size_t begin, std::size_t end) {
+  run_ranges(content.executor(), places ? count : 0, part, [&](std::size_t begin, std::size_t end) {
     bool all = true, follow = true;
     for (std::size_t i = begin; i < end; ++i) {
       follow &= tag(i) == tag(0) + i;
@@ -214,7 +214,7 @@ void read_text_elements(GmshSource& source, GmshContent& content, const GmshType
     const auto places = content.begin_elements(type, size);
     if (!places) return false;
     const std::size_t line_before = source.line();
-    const bool read = source.read_plainly(size, content.parallel(), [&](PlainLine& line, std::size_t i) {
+    const bool read = source.read_plainly(size, content.executor(), [&](PlainLine& line, std::size_t i) {
       std::uint64_t tag = 0;
       if (!line.natural(tag)) return false;
       places->set(i, tag, line_before + 1 + i);
@@ -236,7 +236,7 @@ void read_binary_elements(GmshSource& source, GmshContent& content, const GmshTy
   };
   if (const auto places = content.begin_elements(type, count)) {
     std::atomic<bool> plain = true;
-    run_ranges(content.parallel(), count, part, [&](std::size_t begin, std::size_t end) {
+    run_ranges(content.executor(), count, part, [&](std::size_t begin, std::size_t end) {
       bool all = true;
       for (std::size_t i = begin; i < end; ++i) {
         places->set(i, number(i, 0), 0);

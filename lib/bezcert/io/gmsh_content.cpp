@@ -237,13 +237,13 @@ bool GmshContent::place_consecutive(std::uint64_t first_tag) {
   std::vector<std::uint32_t>& nodes = mesh_.connectivity;
   const std::size_t count = node_tags_.size();
   std::atomic<bool> known = true;
-  run_ranges(options_.parallel, nodes.size(), part, [&](std::size_t begin, std::size_t end) {
+  run_ranges(options_.executor, nodes.size(), part, [&](std::size_t begin, std::size_t end) {
     bool all = true;
     for (std::size_t i = begin; i < end; ++i) all &= nodes[i] - first_tag < count;
     if (!all) known = false;
   });
   if (!known || first_tag == 0) return known;
-  run_ranges(options_.parallel, nodes.size(), part, [&](std::size_t begin, std::size_t end) {
+  run_ranges(options_.executor, nodes.size(), part, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) nodes[i] -= static_cast<std::uint32_t>(first_tag);
   });
   return true;

@@ -21,7 +21,7 @@ class GmshContent {
   /// Whether text coordinates mean the nearest double.
   bool binary64() const { return options_.numbers == Numbers::binary64; }
   /// Threads that may help; empty: none.
-  const Parallel& parallel() const { return options_.parallel; }
+  Executor* executor() const { return options_.executor; }
 
   /// Places of nodes that come in one go, all with the height z: threads fill them with finite numbers, each
   /// its own. Then they are kept, or dropped.

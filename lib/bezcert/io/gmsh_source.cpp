@@ -94,6 +94,7 @@ bool PlainLine::number(double& value) {
     if (at_separator()) return true;
     --at_;
   }
+  if (!rounds_to_nearest()) return false;
   const auto [end, error] = std::from_chars(at_, end_, value);
   at_ = end;
   return error == std::errc() && std::isfinite(value) && at_separator();
@@ -106,7 +107,7 @@ void GmshSource::take_line(const PlainLine& line) {
   ++line_;
 }
 
-bool GmshSource::read_plainly(std::size_t count, const Parallel& parallel,
+bool GmshSource::read_plainly(std::size_t count, Executor* executor,
                               const std::function<bool(PlainLine&, std::size_t)>& read) {
   constexpr std::size_t part = 2048;
   const char* const end = bytes_.data() + bytes_.size();
@@ -118,16 +119,15 @@ bool GmshSource::read_plainly(std::size_t count, const Parallel& parallel,
     }
     return line.place();
   };
-  if (!parallel || count <= part) {
+  if (!has_threads(executor) || count <= part) {
     const char* const behind = read_lines(at_, 0, count);
     if (behind == nullptr) return false;
     at_ = static_cast<std::size_t>(behind - bytes_.data());
   } else {
-    if (!line_starts_) line_starts_.emplace(bytes_, parallel);
+    if (!line_starts_) line_starts_.emplace(bytes_, executor);
     if (line_ + count > line_starts_->ends()) return false;
     std::atomic<bool> all = true;
-    run_ranges(parallel, count, part, [&](std::size_t first, std::size_t last) {
-      const NearestRounding nearest;  // of this thread
+    run_ranges(executor, count, part, [&](std::size_t first, std::size_t last) {
       if (read_lines(line_starts_->start(line_ + first), first, last) == nullptr) all = false;
     });
     if (!all) return false;

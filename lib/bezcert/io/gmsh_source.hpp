@@ -63,7 +63,7 @@ class GmshSource {
   void take_line(const PlainLine& line);
   /// Reads `count` lines plainly, read(line, i) the i-th, from any thread. Returns false, and nothing has
   /// been read, if `read` returns false or a line does not end behind what it read.
-  bool read_plainly(std::size_t count, const Parallel& parallel,
+  bool read_plainly(std::size_t count, Executor* executor,
                     const std::function<bool(PlainLine&, std::size_t)>& read);
 
   /// Where the next byte is; and the same, taking so many bytes. Precondition: the file has them.
@@ -104,8 +104,7 @@ class GmshSource {
 };
 
 /// The numbers of lines that are written plainly: separated by blanks, integers as 1 to 18 digits. What it
-/// refuses may be right all the same: GmshSource::read_tokens tells. Precondition for `number`: the thread
-/// rounds to nearest.
+/// refuses may be right all the same: GmshSource::read_tokens tells.
 class PlainLine {
  public:
   PlainLine(const char* begin, const char* end) : at_(begin), end_(end) {}

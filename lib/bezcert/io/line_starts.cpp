@@ -29,10 +29,10 @@ std::size_t count_ends(std::string_view text) {
 
 }  // namespace
 
-LineStarts::LineStarts(std::string_view text, const Parallel& parallel)
+LineStarts::LineStarts(std::string_view text, Executor* executor)
     : text_(text), before_((text.size() + piece - 1) / piece + 1, 0) {
   constexpr std::size_t at_once = 64;
-  run_ranges(parallel, before_.size() - 1, at_once, [&](std::size_t begin, std::size_t end) {
+  run_ranges(executor, before_.size() - 1, at_once, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) before_[i + 1] = count_ends(text.substr(i * piece, piece));
   });
   std::partial_sum(before_.begin(), before_.end(), before_.begin());

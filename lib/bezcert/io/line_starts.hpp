@@ -2,7 +2,7 @@
 // piece, side by side, and a line is then looked for in its piece alone.
 #pragma once
 
-#include "bezcert/io/parallel.hpp"
+#include "bezcert/parallel/executor.hpp"
 
 #include <cstddef>
 #include <string_view>
@@ -13,7 +13,7 @@ namespace bezcert {
 class LineStarts {
  public:
   /// Keeps a view: `text` must outlive this.
-  LineStarts(std::string_view text, const Parallel& parallel);
+  LineStarts(std::string_view text, Executor* executor);
 
   /// Ends of lines in the text.
   std::size_t ends() const { return before_.back(); }

@@ -1,8 +1,8 @@
 // Reading a mesh file of any known format.
 #pragma once
 
-#include "bezcert/io/parallel.hpp"
 #include "bezcert/mesh/mesh.hpp"
+#include "bezcert/parallel/executor.hpp"
 
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@ struct ReadOptions {
   /// What text coordinates mean in a format that does not say it itself (.msh).
   Numbers numbers = Numbers::binary64;
   /// Threads that may help; the mesh, and what is refused, do not depend on it.
-  Parallel parallel = {};
+  Executor* executor = nullptr;
 };
 
 /// Reads a mesh from the bytes of a file; the format is told by the first characters. `file` names it in

@@ -21,6 +21,8 @@ ExactVector gather(const ExactVector& from, std::span<const std::uint32_t> nodes
 
 }  // namespace
 
+std::string_view name(Numbers numbers) { return numbers == Numbers::binary64 ? "binary64" : "decimal"; }
+
 Element Mesh::element(std::size_t i) const {
   const MeshElement& entry = elements[i];
   const std::span<const std::uint32_t> nodes(connectivity.data() + entry.first_node,

@@ -6,12 +6,15 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bezcert {
 
 /// What text coordinates mean: the nearest double, or their exact decimal value.
 enum class Numbers { binary64, decimal };
+
+std::string_view name(Numbers numbers);
 
 /// Cells that are no triangles or quadrilaterals, by dimension: not looked at, but counted.
 struct IgnoredCells {

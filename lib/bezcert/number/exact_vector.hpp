@@ -4,7 +4,6 @@
 // reads them without conversion. One number that is not a double turns the sequence into rationals.
 #pragma once
 
-#include "bezcert/number/interval.hpp"
 #include "bezcert/number/rational.hpp"
 #include "bezcert/number/scaled.hpp"
 
@@ -30,9 +29,6 @@ class ExactVector {
 
   /// The i-th number. Precondition: i < size().
   Rational operator[](std::size_t i) const { return binary64_ ? Rational(doubles_[i]) : rationals_[i]; }
-  Interval interval(std::size_t i) const {
-    return binary64_ ? Interval(doubles_[i]) : to_interval(rationals_[i]);
-  }
 
   /// Appends a number, changing to rationals if it is no double.
   void push_back(const Rational& number);

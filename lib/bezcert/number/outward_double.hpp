@@ -1,7 +1,9 @@
-// The rounding of outward.hpp for positive numbers between two doubles, in a few operations.
+// The rounding of dyadic.hpp for positive numbers between two doubles, in a few operations.
 #pragma once
 
-#include "bezcert/number/outward.hpp"
+#include "bezcert/number/dyadic.hpp"
+
+#include <optional>
 
 namespace bezcert {
 

@@ -2,10 +2,10 @@
 
 #include "bezcert/number/interval.hpp"
 
-#include <CGAL/FPU.h>
-
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <system_error>
 
@@ -70,6 +70,20 @@ Rational value_of(const Decimal& decimal) {
   return Rational(digits, power_of_ten(-decimal.exponent));
 }
 
+// The double nearest to a number, ties to even, in any rounding mode; nothing beyond the range.
+std::optional<double> nearest_to(const Rational& x) {
+  const Interval around = to_interval(x);
+  const double lower = around.inf(), upper = around.sup();
+  const auto end = [](double bound) {
+    if (std::isfinite(bound)) return exact(bound);
+    return Rational(bound < 0 ? -1 : 1) * power_of_two(1024);
+  };
+  const Rational middle = (end(lower) + end(upper)) / 2;
+  const bool lower_is_even = std::bit_cast<std::uint64_t>(lower) % 2 == 0;
+  const double nearest = x < middle || (x == middle && lower_is_even) ? lower : upper;
+  return std::isfinite(nearest) ? std::optional(nearest) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> parse_binary64(std::string_view text) {
@@ -77,11 +91,14 @@ std::optional<double> parse_binary64(std::string_view text) {
     text.remove_prefix(1);
     if (!text.empty() && (text.front() == '-' || text.front() == '+')) return std::nullopt;
   }
-  // libstdc++'s from_chars rounds in the current mode on its fast path.
-  const NearestRounding nearest;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) return value;
+  if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) {
+    // libstdc++'s from_chars rounds in the current mode where digits and exponent are few.
+    if (rounds_to_nearest() || value == 0) return value;
+    const auto decimal = split_decimal(text);
+    return decimal ? nearest_to(value_of(*decimal)) : value;
+  }
   if (error != std::errc::result_out_of_range || end != text.data() + text.size()) return std::nullopt;
   // Out of range both ways is one error code: the exact value tells which.
   const auto decimal = split_decimal(text);

@@ -18,6 +18,12 @@ using Rational =
 inline int sign(const Integer& value) { return value.sign(); }
 inline int sign(const Rational& value) { return value.sign(); }
 
+/// An exact integer as a number of type T (an Interval: the smallest that contains it, interval.hpp).
+template <class T>
+T number_from_integer(const Integer& value) {
+  return T(value);
+}
+
 /// The exact value of a double. Precondition: `value` is finite; throws std::invalid_argument otherwise.
 Rational exact(double value);
 
