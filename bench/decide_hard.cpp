@@ -5,7 +5,7 @@
 // without algebra (subdivision to its full budget, which leaves many of them open).
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   no_algebra.algebra_bits = no_algebra.contact.algebra_bits = 0;
   for (const auto& file : files) {
     const Mesh mesh = read_mesh(file.string(), read_file(file.string()));
-    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
       const Element element = mesh.element(i);
       Row row;
       row.name = file.stem().stem().string();

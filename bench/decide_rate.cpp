@@ -7,7 +7,7 @@
 // integers decided; what an element costs that needs integers; rational triangles against polynomial ones;
 // and time against the number of elements.
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "bezcert/check/mesh_decider.hpp"
 
 #include "gmsh_mesh.hpp"
@@ -54,7 +54,7 @@ struct Outcome {
 Outcome decide_all(const Mesh& mesh) {
   Outcome outcome;
   outcome.counts =
-      MeshDecider(mesh).decide_range(0, mesh.elements.size(), [&](std::size_t, const Decision& decision) {
+      MeshDecider(mesh).decide_range(0, mesh.elements().size(), [&](std::size_t, const Decision& decision) {
         outcome.injective += decision.verdict == ElementVerdict::injective;
       });
   return outcome;
@@ -67,7 +67,7 @@ double to_double(const Dyadic& d) {
 // The filter's failure rate, element by element.
 void count_failures(const Mesh& mesh, Outcome& outcome) {
   const MeshDecider decider(mesh);
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     bool above = false;
     const DecisionCounts counts = decider.decide_range(i, i + 1, [&](std::size_t, const Decision& decision) {
       above = decision.verdict == ElementVerdict::injective &&
@@ -136,9 +136,9 @@ void report(const char* kind, int order, const Mesh& mesh, double gmsh_seconds) 
   Outcome outcome;
   const double ours = best_of_runs([&] { outcome = decide_all(mesh); });
   count_failures(mesh, outcome);
-  const auto count = static_cast<double>(mesh.elements.size());
+  const auto count = static_cast<double>(mesh.elements().size());
   std::printf("%-10s %5d %8zu %8zu %9.0fk %9.0fk %6.2f  %8zu %7zu %6zu   %zu of %zu\n", kind, order,
-              mesh.elements.size(), mesh.elements.size() - outcome.injective, count / gmsh_seconds / 1e3,
+              mesh.elements().size(), mesh.elements().size() - outcome.injective, count / gmsh_seconds / 1e3,
               count / ours / 1e3, gmsh_seconds / ours, outcome.counts.batch, outcome.counts.interval,
               outcome.counts.exact, outcome.valid_above_exact, outcome.valid_above);
   std::fflush(stdout);
@@ -176,38 +176,35 @@ void against_gmsh(double target, int first_order, int last_order, const std::str
 
 // Triangles on a grid of the unit square, mapped by a smooth map; control points in the Bernstein basis.
 Mesh grid_mesh(int degree, std::size_t triangles, bool rational) {
-  Mesh mesh;
+  MeshBuilder mesh;
   const auto cells = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(triangles) / 2)));
   const int n = cells * degree;
   const double h = 1.0 / n;
   for (int j = 0; j <= n; ++j) {
     for (int i = 0; i <= n; ++i) {
       const double u = i * h, v = j * h;
-      mesh.x.push_back(u + 0.1 * v * v + 0.02 * std::sin(6 * v));
-      mesh.y.push_back(v + 0.1 * u * u);
       // Corners have weight 1, the points between them weights as of circular arcs, from 0.75 on.
       const bool corner = i % degree == 0 && j % degree == 0;
-      if (rational) mesh.weights.push_back(corner ? 1 : 0.875 + 0.125 * std::sin(3 * u + 40 * v));
+      std::optional<double> weight;
+      if (rational) weight = corner ? 1 : 0.875 + 0.125 * std::sin(3 * u + 40 * v);
+      mesh.add_node({u + 0.1 * v * v + 0.02 * std::sin(6 * v), v + 0.1 * u * u}, weight);
     }
   }
   const auto node = [&](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
   for (int J = 0; J < cells; ++J) {
     for (int I = 0; I < cells; ++I) {
       for (const int sign : {1, -1}) {
-        MeshElement element;
-        element.shape = Shape::triangle(degree);
-        element.first_node = mesh.connectivity.size();
+        std::vector<std::uint32_t> nodes;
         const int i0 = (sign > 0 ? I : I + 1) * degree, j0 = (sign > 0 ? J : J + 1) * degree;
         for (int r = 0; r <= degree; ++r) {
-          for (int c = 0; c <= degree - r; ++c)
-            mesh.connectivity.push_back(node(i0 + sign * c, j0 + sign * r));
+          for (int c = 0; c <= degree - r; ++c) nodes.push_back(node(i0 + sign * c, j0 + sign * r));
         }
-        mesh.elements.push_back(element);
-        if (mesh.elements.size() == triangles) return mesh;
+        mesh.add_elements(Shape::triangle(degree), Basis::bernstein, nodes);
+        if (mesh.elements().size() == triangles) return std::move(mesh).build();
       }
     }
   }
-  return mesh;
+  return std::move(mesh).build();
 }
 
 void rational_against_polynomial() {
@@ -230,7 +227,7 @@ void cost_of_exact() {
     const double blocks = best_of_runs([&] { decide_all(mesh); });
     const auto one_by_one = [&](Filter filter) {
       return best_of_runs([&] {
-        for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+        for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
           const Element element = mesh.element(i);
           decide(Forms(element, filter));
         }

@@ -1,7 +1,8 @@
 #include "check.hpp"
 
 #include "bezcert/certificate/certificate.hpp"
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/curve/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/report/report.hpp"
@@ -21,7 +22,7 @@ namespace bezcert::certify {
 namespace {
 
 struct Input {
-  Mesh mesh;
+  std::optional<Mesh> mesh;
   std::string sha256;
   bool is_json = false;
 };
@@ -51,13 +52,13 @@ Input read_input(const std::string& path, const CheckArguments& arguments, Execu
 // What a certificate says of its elements file: the input itself if `verifier` reads it, or the file written
 // for it.
 CertificateHeader header_of(const std::string& path, const Input& input, const CheckArguments& arguments) {
-  const Mesh& mesh = input.mesh;
-  CertificateHeader header{input.sha256, mesh.basis_name, mesh.numbers};
+  const Mesh& mesh = *input.mesh;
+  CertificateHeader header{input.sha256, mesh.origin().basis_name, mesh.origin().numbers};
   if (!arguments.elements.empty()) header.elements_sha256 = sha256(read_file(arguments.elements));
   if (!arguments.elements.empty() || input.is_json) {
     header.basis = "mixed";
     header.numbers = Numbers::decimal;
-  } else if (mesh.elements.front().line == 0) {
+  } else if (mesh.origin().line(0) == 0) {
     throw InputError(path, 0,
                      "is binary, which verifier does not read: expected --elements=FILE beside --certificate "
                      "(the mesh as exact .bez.json), or an ASCII .msh");
@@ -96,7 +97,7 @@ class Check {
     const auto started = std::chrono::steady_clock::now();
     const Input input = read_input(path, arguments_, threads_);
     if (!arguments_.elements.empty()) {
-      write_file(arguments_.elements, [&](std::ostream& stream) { write_bez_json(stream, input.mesh); });
+      write_file(arguments_.elements, [&](std::ostream& stream) { write_bez_json(stream, *input.mesh); });
     }
     const auto report = format_.make(stream_, {path, input.sha256, arguments_.curves, started});
     Reproducers reproducers(path);
@@ -111,7 +112,7 @@ class Check {
       observers.add(*one);
     }
     const CheckOptions options{arguments_.criteria, arguments_.budget, curves_, &threads_, arguments_.filter};
-    const Outcome outcome = check_mesh(input.mesh, options, observers).outcome();
+    const Outcome outcome = check_mesh(*input.mesh, options, observers).outcome();
     if (proof) warn_of_missing_evidence(arguments_.certificate, proof->without_evidence());
     const bool passes = outcome == Outcome::undecided && !arguments_.fail_on_undecided;
     return passes ? exit_certified : exit_code_of(outcome);

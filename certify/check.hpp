@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bezcert/check/check_mesh.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <string>
 #include <vector>

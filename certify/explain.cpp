@@ -27,16 +27,17 @@ struct ExplainArguments {
 };
 
 std::size_t find_element(const Mesh& mesh, const ExplainArguments& options) {
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    if (std::to_string(mesh.elements[i].tag) == options.element) return i;
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
+    if (std::to_string(mesh.origin().number(i)) == options.element) return i;
   }
-  for (std::size_t i = 0; i < mesh.names.size(); ++i) {
-    if (!mesh.names[i].empty() && mesh.names[i] == options.element) return i;
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
+    if (!mesh.origin().name(i).empty() && mesh.origin().name(i) == options.element) return i;
   }
   throw InputError(options.mesh, 0,
                    "there is no element " + options.element + ": expected a number from " +
-                       std::to_string(mesh.elements.front().tag) + " to " +
-                       std::to_string(mesh.elements.back().tag) + ", as in the file, or a name");
+                       std::to_string(mesh.origin().number(0)) + " to " +
+                       std::to_string(mesh.origin().number(mesh.elements().size() - 1)) +
+                       ", as in the file, or a name");
 }
 
 std::string both(const Rational& value) {
@@ -145,9 +146,9 @@ void print_criteria(const CheckedElement& checked) {
 // decided.
 void print_mesh_obstacles(const Mesh& mesh, std::size_t index, const CheckedElement& checked,
                           const Budget& budget) {
-  if (mesh.elements.size() == 1) return;
+  if (mesh.elements().size() == 1) return;
   std::vector<ElementState> states;
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     if (i == index) {
       states.push_back(state_of(checked.decision));
     } else {
@@ -189,7 +190,8 @@ int explain(const ExplainArguments& options) {
   const Forms forms(element);
 
   std::cout << element_title(options.mesh, mesh, index) << ": " << describe(decision) << '\n';
-  std::cout << (element.rational() ? "rational" : "polynomial") << ", numbers " << name(mesh.numbers) << '\n';
+  std::cout << (element.rational() ? "rational" : "polynomial") << ", numbers " << name(mesh.origin().numbers)
+            << '\n';
   print_net(element);
   std::cout << "verdict: " << name(decision.verdict) << '\n';
   if (is_regular(decision.verdict) || decision.verdict == ElementVerdict::reversed) {

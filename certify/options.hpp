@@ -3,7 +3,7 @@
 
 #include "bezcert/criterion/criterion.hpp"
 #include "bezcert/decide/decide.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -29,7 +29,7 @@ Progress::~Progress() {
   if (shown_) std::cerr << '\r' << std::string(label_.size() + 40, ' ') << '\r' << std::flush;
 }
 
-void Progress::begin(const Mesh& mesh) { total_ = mesh.elements.size(); }
+void Progress::begin(const Mesh& mesh) { total_ = mesh.elements().size(); }
 
 std::unique_ptr<CheckObserver::Block> Progress::new_block() {
   return enabled_ ? std::make_unique<CountedBlock>(*this) : nullptr;

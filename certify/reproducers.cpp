@@ -1,6 +1,6 @@
 #include "reproducers.hpp"
 
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void Reproducers::write(std::size_t i, const CheckedElement& checked) const {
     if (one.is_defect())
       what += std::string(one.criterion->name) + " says " + std::string(name(one.verdict.status)) + "; ";
   }
-  const std::string number = std::to_string(mesh_->elements[i].tag);
+  const std::string number = std::to_string(mesh_->origin().number(i));
   const std::string stem = std::filesystem::path(input_).filename().string();
   const std::string path = "bezcert-contradiction-" + stem + "-" + number + ".bez.json";
   write_file(path, [&](std::ostream& stream) {

@@ -60,8 +60,9 @@ void check(const DoubleNet& net, Seen& seen) {
   const batch::BlockTable* table = batch::find_block_table(net.shape, net.basis, rational);
   if (table == nullptr) return;
   const Mesh mesh = mesh_of(net);
-  const batch::Nodes nodes{mesh.x.doubles().data(), mesh.y.doubles().data(),
-                           net.w.empty() ? nullptr : mesh.weights.doubles().data(), mesh.connectivity.data()};
+  const batch::Nodes nodes{mesh.coordinates(0).doubles().data(), mesh.coordinates(1).doubles().data(),
+                           net.w.empty() ? nullptr : mesh.weights().doubles().data(),
+                           mesh.connectivity().data()};
   const std::size_t first[batch::lane_count] = {};
   batch::BlockResult block;
   batch::run_block_baseline(*table, nodes, first, block);
@@ -140,9 +141,9 @@ TEST_CASE("all instruction sets give the same bits") {
     const auto* table = batch::find_block_table(net.shape, net.basis, !net.w.empty());
     if (table == nullptr) continue;
     const Mesh mesh = mesh_of(net);
-    const batch::Nodes nodes{mesh.x.doubles().data(), mesh.y.doubles().data(),
-                             net.w.empty() ? nullptr : mesh.weights.doubles().data(),
-                             mesh.connectivity.data()};
+    const batch::Nodes nodes{mesh.coordinates(0).doubles().data(), mesh.coordinates(1).doubles().data(),
+                             net.w.empty() ? nullptr : mesh.weights().doubles().data(),
+                             mesh.connectivity().data()};
     const std::size_t first[batch::lane_count] = {};
     batch::BlockResult expected;
     batch::run_block_baseline(*table, nodes, first, expected);

@@ -4,6 +4,7 @@
 
 #include "bezcert/check/mesh_decider.hpp"
 #include "random_input.hpp"
+#include "mesh_parts.hpp"
 
 #include <cmath>
 #include <functional>
@@ -17,24 +18,24 @@ struct DoubleNet {
   std::vector<double> x, y, w;  ///< w is empty for a polynomial element
 };
 
-inline void append(Mesh& mesh, const DoubleNet& net) {
+inline void append(MeshParts& mesh, const DoubleNet& net) {
   MeshElement element;
   element.shape = net.shape;
   element.basis = net.basis;
-  element.first_node = mesh.connectivity.size();
+  element.first_node = mesh.connectivity().size();
   for (std::size_t i = 0; i < net.x.size(); ++i) {
-    mesh.connectivity.push_back(static_cast<std::uint32_t>(mesh.x.size()));
-    mesh.x.push_back(net.x[i]);
-    mesh.y.push_back(net.y[i]);
-    if (!net.w.empty()) mesh.weights.push_back(net.w[i]);
+    mesh.connectivity().push_back(static_cast<std::uint32_t>(mesh.coordinates(0).size()));
+    mesh.coordinates(0).push_back(net.x[i]);
+    mesh.coordinates(1).push_back(net.y[i]);
+    if (!net.w.empty()) mesh.weights().push_back(net.w[i]);
   }
-  mesh.elements.push_back(element);
+  mesh.elements().push_back(element);
 }
 
 inline Mesh mesh_of(const DoubleNet& net) {
-  Mesh mesh;
+  MeshParts mesh;
   append(mesh, net);
-  return mesh;
+  return mesh.build();
 }
 
 /// A number from -1 to 1 with 53 random bits.
@@ -138,10 +139,11 @@ inline DoubleNet just_settled(const DoubleNet& good, const DoubleNet& bad) {
     const Mesh mesh = mesh_of(net);
     const std::size_t first = 0;
     batch::Settled result;
-    batch::settle(*table,
-                  {mesh.x.doubles().data(), mesh.y.doubles().data(),
-                   mesh.weights.empty() ? nullptr : mesh.weights.doubles().data(), mesh.connectivity.data()},
-                  {&first, 1}, {&result, 1});
+    batch::settle(
+        *table,
+        {mesh.coordinates(0).doubles().data(), mesh.coordinates(1).doubles().data(),
+         mesh.weights().empty() ? nullptr : mesh.weights().doubles().data(), mesh.connectivity().data()},
+        {&first, 1}, {&result, 1});
     return result.settled;
   };
   if (!by_block(good) || by_block(between(1))) return good;

@@ -2,7 +2,7 @@
 #include "bezcert/certificate/meet_evidence.hpp"
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "rules.hpp"
 #include "verified_curves.hpp"
 

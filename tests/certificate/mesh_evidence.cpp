@@ -2,10 +2,11 @@
 // alone.
 #include "bezcert/certificate/mesh_evidence.hpp"
 #include "bezcert/decide/decide.hpp"
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "rules.hpp"
+#include "mesh_parts.hpp"
 #include "random_input.hpp"
 
 #include <catch2/catch.hpp>
@@ -62,7 +63,7 @@ struct Outcome {
 Outcome outcome_of(const Mesh& mesh) {
   std::vector<ElementState> states;
   std::vector<verifier::Claim> claims;
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     const Element element = mesh.element(i);
     const ElementVerdict verdict = decide(Forms(element)).verdict;
     claims.push_back(claim_of(verdict));
@@ -105,7 +106,7 @@ std::map<std::string, int> check_folder(const std::string& folder) {
 }
 
 // A copy of a node, moved.
-std::uint32_t moved_copy(Mesh& mesh, std::uint32_t node, const Rational& dx, const Rational& dy) {
+std::uint32_t moved_copy(MeshParts& mesh, std::uint32_t node, const Rational& dx, const Rational& dy) {
   mesh.x.push_back(mesh.x[node] + dx);
   mesh.y.push_back(mesh.y[node] + dy);
   if (!mesh.weights.empty()) mesh.weights.push_back(mesh.weights[node]);
@@ -115,7 +116,7 @@ std::uint32_t moved_copy(Mesh& mesh, std::uint32_t node, const Rational& dx, con
 std::size_t node_count(const MeshElement& element) { return coefficient_count(element.shape); }
 
 // One thing that goes wrong in meshes, or may.
-void damage(Mesh& mesh, test::Random& random) {
+void damage(MeshParts& mesh, test::Random& random) {
   const auto any = [&](std::size_t count) {
     return static_cast<std::size_t>(random.integer(0, static_cast<long>(count) - 1));
   };
@@ -187,11 +188,9 @@ TEST_CASE("meshes that something went wrong with have evidence") {
     const Mesh good = read_mesh(file, read_file(file));
     for (int k = 0; k < cases; ++k) {
       INFO("seed " << seed << ' ' << name << " case " << k);
-      Mesh mesh = good;
-      mesh.names.clear();
-      mesh.expected.clear();
+      MeshParts mesh(good);
       for (long i = random.integer(1, 3); i > 0; --i) damage(mesh, random);
-      ++counts[checked(mesh)];
+      ++counts[checked(mesh.build())];
     }
   }
   CHECK(counts["undecided"] == 0);
@@ -205,7 +204,7 @@ TEST_CASE("meshes that something went wrong with have evidence") {
 TEST_CASE("what certificates do not claim of elements they do not use") {
   const std::string file = BEZCERT_SOURCE_DIR "/corpus/whole/good-disc-p2.bez.json";
   const Mesh mesh = read_mesh(file, read_file(file));
-  std::vector<ElementState> states(mesh.elements.size(), ElementState::injective);
+  std::vector<ElementState> states(mesh.elements().size(), ElementState::injective);
   const MeshResult decided = examine_mesh(mesh, states);
   CHECK(decided.verdict == MeshVerdict::embedding);
   states[0] = ElementState::open;

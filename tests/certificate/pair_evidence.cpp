@@ -3,7 +3,7 @@
 #include "bezcert/curve/same_curve.hpp"
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "random_input.hpp"
 #include "verified_curves.hpp"
 

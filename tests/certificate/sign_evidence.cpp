@@ -3,7 +3,7 @@
 #include "bezcert/certificate/sign_evidence.hpp"
 #include "bezcert/certificate/zero_evidence.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "given_jacobian.hpp"
 
 #include <catch2/catch.hpp>
@@ -83,7 +83,7 @@ TEST_CASE("the corpus has evidence for every sign") {
     const std::string file = entry.path().string(), bytes = read_file(file);
     const Mesh mesh = read_mesh(file, bytes);
     const verifier::Elements other(bytes, "mixed", "decimal");
-    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
       INFO(file << " element " << i);
       const Element element = mesh.element(i);
       const Forms forms(element);

@@ -1,7 +1,7 @@
 // A contradiction ends in the right place: of a claimed criterion in a finding, of a sound one in exit code 4
 // and a reproducer. The second must never happen, so the test brings a false "theorem" of its own.
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "check.hpp"
 #include "exit_code.hpp"
 
@@ -63,10 +63,10 @@ TEST_CASE("a sound criterion that contradicts gives exit code 4 and a reproducer
   REQUIRE(fs::exists(reproducer));
   const Mesh kept = read_mesh(reproducer, read_file(reproducer));
   const Mesh original = read_mesh(folded, read_file(folded));
-  REQUIRE(kept.elements.size() == 1);
-  for (std::size_t i = 0; i < original.x.size(); ++i) {
-    CHECK(kept.x[i] == original.x[i]);
-    CHECK(kept.y[i] == original.y[i]);
+  REQUIRE(kept.elements().size() == 1);
+  for (std::size_t i = 0; i < original.node_count(); ++i) {
+    CHECK(kept.coordinates(0)[i] == original.coordinates(0)[i]);
+    CHECK(kept.coordinates(1)[i] == original.coordinates(1)[i]);
   }
 }
 

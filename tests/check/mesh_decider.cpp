@@ -39,7 +39,7 @@ Budget small_budget() {
 std::vector<std::string> decisions(const Mesh& mesh, Filter filter, DecisionCounts& counts) {
   std::vector<std::string> result;
   counts = MeshDecider(mesh, small_budget(), filter)
-               .decide_range(0, mesh.elements.size(), [&](std::size_t i, const Decision& decision) {
+               .decide_range(0, mesh.elements().size(), [&](std::size_t i, const Decision& decision) {
                  REQUIRE(i == result.size());
                  result.push_back(text(decision));
                });
@@ -47,7 +47,7 @@ std::vector<std::string> decisions(const Mesh& mesh, Filter filter, DecisionCoun
 }
 
 Mesh hostile_mesh(Random& random, std::size_t count, bool weights) {
-  Mesh mesh;
+  MeshParts mesh;
   while (mesh.elements.size() < count) {
     DoubleNet net = hostile_net(random);
     if (!weights && !net.w.empty()) continue;
@@ -55,7 +55,7 @@ Mesh hostile_mesh(Random& random, std::size_t count, bool weights) {
     if (weights && net.w.empty()) net.w.assign(net.x.size(), 1.25);
     append(mesh, net);
   }
-  return mesh;
+  return mesh.build();
 }
 
 }  // namespace
@@ -70,15 +70,15 @@ TEST_CASE("MeshDecider gives the decision of every element alone, with filters o
       DecisionCounts on, off;
       const auto with_filters = decisions(mesh, Filter::on, on);
       const auto exact = decisions(mesh, Filter::off, off);
-      REQUIRE(with_filters.size() == mesh.elements.size());
-      for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+      REQUIRE(with_filters.size() == mesh.elements().size());
+      for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
         INFO("seed " << seed << ", weights " << weights << ", round " << round << ", element " << i);
         REQUIRE(with_filters[i] == exact[i]);
         const Element element = mesh.element(i);
         REQUIRE(with_filters[i] == text(decide(Forms(element), small_budget())));
       }
-      REQUIRE(off.exact == mesh.elements.size());
-      REQUIRE(on.batch + on.interval + on.exact == mesh.elements.size());
+      REQUIRE(off.exact == mesh.elements().size());
+      REQUIRE(on.batch + on.interval + on.exact == mesh.elements().size());
       total.batch += on.batch;
       total.interval += on.interval;
       total.exact += on.exact;
@@ -97,7 +97,7 @@ TEST_CASE("MeshDecider decides a part of a mesh as the whole, whatever the windo
   const Mesh mesh = hostile_mesh(random, 600, false);
   DecisionCounts counts;
   const auto whole = decisions(mesh, Filter::on, counts);
-  const std::size_t size = mesh.elements.size();
+  const std::size_t size = mesh.elements().size();
   for (const auto& [first, last] :
        {std::pair<std::size_t, std::size_t>{0, 0}, {0, 1}, {5, 21}, {250, 520}, {599, size}}) {
     std::size_t at = first;
@@ -109,9 +109,7 @@ TEST_CASE("MeshDecider decides a part of a mesh as the whole, whatever the windo
   }
 }
 
-TEST_CASE("MeshDecider refuses what an element refuses") {
+TEST_CASE("no mesh can be made of what an element refuses") {
   DoubleNet net{Shape::triangle(1), Basis::bernstein, {0, 1, 0}, {0, 0, 1}, {1, -1, 2}};
-  const Mesh mesh = mesh_of(net);
-  CHECK_THROWS_AS(MeshDecider(mesh).decide_range(0, 1, [](std::size_t, const Decision&) {}),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(mesh_of(net), std::invalid_argument);
 }

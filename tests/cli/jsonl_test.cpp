@@ -1,6 +1,6 @@
 // The JSON Lines report: keys as designed, numbers exact, witnesses and bounds that hold.
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "exact_determinant.hpp"
 #include "jsonl_report.hpp"
 #include "program.hpp"

@@ -1,6 +1,6 @@
 // The evidence of `overlapping`: two parts of the boundary that really meet.
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "exact_determinant.hpp"
 #include "jsonl_report.hpp"
 #include "program.hpp"

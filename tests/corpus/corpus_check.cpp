@@ -5,9 +5,9 @@
 // corpus/make_elements.py, exact arithmetic in Python). Meshes: the counts and the bad elements in
 // meshes/expected*.tsv (made by corpus/mesh_oracle.py). Prints what differs; exit code 0 or 1.
 #include "bezcert/criterion/subdivision.hpp"
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "bezcert/surface/domain.hpp"
 #include "bezcert/surface/embedding.hpp"
 #include "bezcert/number/parse.hpp"
@@ -96,9 +96,9 @@ void check_zero(const std::string& corpus, const std::string& name,
 void check_element(const std::string& corpus, const std::string& file) {
   const std::string path = corpus + "/" + file;
   const Mesh mesh = read_mesh(path, read_file(path));
-  expect(mesh.elements.size() == 1, "one element a file");
-  const std::string name = mesh.names.at(0);
-  const std::string expected = mesh.expected.at(0);
+  expect(mesh.elements().size() == 1, "one element a file");
+  const std::string name(mesh.origin().name(0));
+  const std::string expected(mesh.origin().expected(0));
   expect(!expected.empty(), "the file has an expected verdict");
 
   const Element element = mesh.element(0);
@@ -152,20 +152,20 @@ void check_mesh(const std::string& corpus, const std::string& file) {
   const Mesh mesh = read_mesh(path, read_file(path));
   std::map<std::string, std::size_t> seen;
   std::map<std::string, std::pair<std::string, DeterminantBounds>> bad;
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     const CheckedElement checked = check_element(mesh.element(i), all_criteria(), {});
     const ElementVerdict verdict = checked.decision.verdict;
     ++seen["elements"];
-    ++seen[mesh.elements[i].shape.domain == Domain::triangle ? "triangles" : "quadrilaterals"];
+    ++seen[mesh.elements()[i].shape.domain == Domain::triangle ? "triangles" : "quadrilaterals"];
     const std::string word(is_regular(verdict) ? "positive" : name(verdict));
     ++seen[word];
-    if (word != "positive") bad[std::to_string(mesh.elements[i].tag)] = {word, checked.decision.bounds};
+    if (word != "positive") bad[std::to_string(mesh.origin().number(i))] = {word, checked.decision.bounds};
     for (const auto& one : checked.criteria)
       expect(!one.is_defect(), std::string(one.criterion->name) + " contradicts");
   }
-  seen["ignored_points"] = mesh.ignored.points;
-  seen["ignored_lines"] = mesh.ignored.lines;
-  seen["ignored_volumes"] = mesh.ignored.volumes;
+  seen["ignored_points"] = mesh.origin().ignored.points;
+  seen["ignored_lines"] = mesh.origin().ignored.lines;
+  seen["ignored_volumes"] = mesh.origin().ignored.volumes;
 
   bool listed = false;
   for (const Row& row : read_table(corpus + "/meshes/expected.tsv")) {
@@ -214,7 +214,7 @@ void check_whole(const std::string& corpus, const std::string& file) {
   const std::string base = file.substr(file.find('/') + 1);
   const Mesh mesh = read_mesh(path, read_file(path));
   std::vector<ElementState> states;
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     states.push_back(state_of(decide(Forms(mesh.element(i)))));
   }
   const MeshResult result = examine_mesh(mesh, states);
@@ -235,7 +235,7 @@ void check_whole(const std::string& corpus, const std::string& file) {
     std::set<std::string> elements, nodes;
     for (const MeshObstacle& obstacle : result.obstacles.all()) {
       if (obstacle.kind() != result.verdict) continue;
-      for (const std::uint32_t i : obstacle.elements) elements.insert(std::to_string(mesh.elements[i].tag));
+      for (const std::uint32_t i : obstacle.elements) elements.insert(std::to_string(mesh.origin().number(i)));
       for (const std::uint32_t i : obstacle.nodes) nodes.insert(std::to_string(i));
     }
     if (!cell(row, "obstacle_elements").empty()) {

@@ -6,7 +6,7 @@
 #include "bezcert/algebra/zero_set.hpp"
 #include "bezcert/bernstein/shape.hpp"
 #include "bezcert/element/element.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 #include "bezcert/number/dyadic.hpp"
 #include "bezcert/number/exact_vector.hpp"
 #include "bezcert/number/parse.hpp"

@@ -1,12 +1,12 @@
 // Areas: exact for polynomial edges, enclosed for rational ones; orientation of very thin loops.
-#include "mesh_builder.hpp"
+#include "mesh_sketch.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace bezcert::test {
 namespace {
 
-using Node = MeshBuilder::Node;
+using Node = MeshSketch::Node;
 
 // pi to 30 digits, rounded down and up.
 const Rational pi_low("3141592653589793238462643383279/1000000000000000000000000000000");
@@ -16,7 +16,7 @@ const Rational pi_high("3141592653589793238462643383280/100000000000000000000000
 // 2
 // (((1 - t^2), 2 t, 1 + t^2), turned), along u straight.
 Mesh ring(const Rational& inner, const Rational& outer) {
-  MeshBuilder builder;
+  MeshSketch builder;
   const std::array<std::pair<int, int>, 4> at = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   for (std::size_t k = 0; k < 4; ++k) {
     const auto& [x, y] = at[k];
@@ -46,14 +46,14 @@ TEST_CASE("the area between two circles is enclosed") {
 
 TEST_CASE("polynomial areas are exact") {
   // The triangle (0,0) (6,0) (0,6) of area 18, its lower side bent down.
-  MeshBuilder builder;
+  MeshSketch builder;
   const Node a = builder.node(0, 0), b = builder.node(6, 0), c = builder.node(0, 6);
   builder.curve(a, b, {builder.node(3, -1)});
   builder.triangle(a, b, c, 2);
   // Between a parabola and its chord lie 2/3 of the control triangle of area 3.
   CHECK(examine(builder.build()).area->lower == 20);
 
-  MeshBuilder cubic;
+  MeshSketch cubic;
   const Node d = cubic.node(0, 0), e = cubic.node(6, 0), f = cubic.node(0, 6);
   cubic.curve(d, e, {cubic.node(2, -1), cubic.node(4, -1)});
   cubic.triangle(d, e, f, 3);
@@ -65,7 +65,7 @@ TEST_CASE("a hole so thin that only the winding number tells its orientation") {
   // Between the conic with the weights 1, 2, 1 and the one with 1, 2 + 1e-30, 1 on the same control points,
   // cut in its middle: a hole with two cusps. By de Casteljau its halves have the weights 1, h, h with h = (1
   // + w) / 2.
-  MeshBuilder builder;
+  MeshSketch builder;
   const Node a = builder.node(0, 0), b = builder.node(4, 0), low = builder.node(2, -4),
              high = builder.node(2, 4);
   const Node left = builder.node(-4, 0), right = builder.node(8, 0);

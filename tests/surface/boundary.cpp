@@ -1,15 +1,15 @@
 // The boundary: holes, overlapping parts, slits, hanging nodes; and several components.
-#include "mesh_builder.hpp"
+#include "mesh_sketch.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace bezcert::test {
 namespace {
 
-using Node = MeshBuilder::Node;
+using Node = MeshSketch::Node;
 
 // The ring between two squares with corners (+-r, +-r), four quadrilaterals.
-void add_ring(MeshBuilder& builder, const Rational& x, const Rational& y, const Rational& inner,
+void add_ring(MeshSketch& builder, const Rational& x, const Rational& y, const Rational& inner,
               const Rational& outer, int degree = 1) {
   std::array<Node, 4> in{}, out{};
   const std::array<std::pair<int, int>, 4> sides = {{{1, -1}, {1, 1}, {-1, 1}, {-1, -1}}};
@@ -22,7 +22,7 @@ void add_ring(MeshBuilder& builder, const Rational& x, const Rational& y, const 
   }
 }
 
-void add_square(MeshBuilder& builder, const Rational& x, const Rational& y, const Rational& half) {
+void add_square(MeshSketch& builder, const Rational& x, const Rational& y, const Rational& half) {
   const Node a = builder.node(x - half, y - half), b = builder.node(x + half, y - half);
   const Node c = builder.node(x + half, y + half), d = builder.node(x - half, y + half);
   builder.triangle(a, b, c);
@@ -30,8 +30,8 @@ void add_square(MeshBuilder& builder, const Rational& x, const Rational& y, cons
 }
 
 // A strip of `turns` quarter turns between the radii 2 + growth k and 4 + growth k.
-MeshBuilder spiral(int quarters, const Rational& growth) {
-  MeshBuilder builder;
+MeshSketch spiral(int quarters, const Rational& growth) {
+  MeshSketch builder;
   std::vector<Node> in, out;
   for (int k = 0; k <= quarters; ++k) {
     for (const int wide : {0, 1}) {
@@ -48,7 +48,7 @@ MeshBuilder spiral(int quarters, const Rational& growth) {
 // Above (0, 0) (6, 0) one triangle, below it two that meet in m, and more around both ends so that they are
 // inside.
 struct Hanging {
-  MeshBuilder builder;
+  MeshSketch builder;
   Node a, b, m;
   int degree;
 
@@ -75,7 +75,7 @@ struct Hanging {
 
 TEST_CASE("rings and plates with holes") {
   for (const int degree : {1, 2, 3}) {
-    MeshBuilder ring;
+    MeshSketch ring;
     add_ring(ring, 0, 0, 1, 3, degree);
     const Examined result = examine(ring.build());
     INFO(text_of(result));
@@ -85,7 +85,7 @@ TEST_CASE("rings and plates with holes") {
     CHECK(result.area->lower == 36 - 4);
   }
   // 7 x 3 unit cells without three of the middle row.
-  MeshBuilder plate;
+  MeshSketch plate;
   std::map<std::pair<int, int>, Node> at;
   for (int j = 0; j <= 3; ++j) {
     for (int i = 0; i <= 7; ++i) at[{i, j}] = plate.node(i, j);
@@ -132,7 +132,7 @@ TEST_CASE("components side by side, one in the hole of another, one on another")
       {5, 2, MeshVerdict::overlapping_boundary},               // crosses it
       {0, 2, MeshVerdict::overlapping_boundary}};              // touches along the hole
   for (const Case& one : cases) {
-    MeshBuilder builder;
+    MeshSketch builder;
     add_ring(builder, 0, 0, 2, 4);
     add_square(builder, one.x, 0, one.half);
     const Examined result = examine(builder.build());
@@ -144,7 +144,7 @@ TEST_CASE("components side by side, one in the hole of another, one on another")
   }
   // An annulus around the hole of a wider one: neither's first vertices lie in the other but the outer loop
   // does.
-  MeshBuilder nested;
+  MeshSketch nested;
   add_ring(nested, 0, 0, 3, 10);
   add_ring(nested, 0, 0, 1, 5);
   CHECK(examine(nested.build()).verdict == MeshVerdict::overlapping_boundary);
@@ -152,7 +152,7 @@ TEST_CASE("components side by side, one in the hole of another, one on another")
 
 TEST_CASE("a slit is an overlapping boundary with its likely causes") {
   // A square of 2 x 2 cells; the node in the middle and its edge to the right side's middle are doubled.
-  MeshBuilder builder;
+  MeshSketch builder;
   const Node n00 = builder.node(0, 0), n10 = builder.node(1, 0), n20 = builder.node(2, 0);
   const Node n01 = builder.node(0, 1), n11 = builder.node(1, 1), n21 = builder.node(2, 1),
              other = builder.node(2, 1);

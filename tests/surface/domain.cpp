@@ -1,5 +1,5 @@
 // Conformity to input curves.
-#include "mesh_builder.hpp"
+#include "mesh_sketch.hpp"
 
 #include "bezcert/curve/incidence.hpp"
 #include "bezcert/surface/domain.hpp"
@@ -9,7 +9,7 @@
 namespace bezcert::test {
 namespace {
 
-using Node = MeshBuilder::Node;
+using Node = MeshSketch::Node;
 using Points = std::vector<std::pair<Rational, Rational>>;
 
 InputCurve curve(const Points& points, const std::vector<Rational>& weights = {}) {
@@ -26,7 +26,7 @@ const Points parabola = {{0, 0}, {6, 3}, {12, 0}};
 
 // Quadrilaterals above pieces of the parabola, cut at these parameters.
 Mesh above_parabola(const std::vector<Rational>& cuts, const Rational& nudge = 0) {
-  MeshBuilder builder;
+  MeshSketch builder;
   const CurveNet<Integer> whole = curve(parabola).exact();
   std::vector<Node> low, high;
   for (const Rational& t : cuts) {
@@ -114,7 +114,7 @@ TEST_CASE("a closed curve, and one that passes a node twice") {
   // x = 12 u (1 - u) (1 - 2 u) 3, y = 36 u (1 - u): a teardrop? A cubic from the origin back to it.
   const Points loop = {{0, 0}, {12, 12}, {-12, 12}, {0, 0}};
   const CurveNet<Integer> whole = curve(loop).exact();
-  MeshBuilder builder;
+  MeshSketch builder;
   const Node centre = builder.node(0, 5), start = builder.node(0, 0);
   std::vector<Node> corners = {start};
   const std::vector<Rational> cuts = {0, Rational(1, 4), Rational(1, 2), Rational(3, 4), 1};

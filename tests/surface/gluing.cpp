@@ -1,17 +1,17 @@
 // Edges: glued, of too many elements, turned over, of different curves.
-#include "mesh_builder.hpp"
+#include "mesh_sketch.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace bezcert::test {
 namespace {
 
-using Node = MeshBuilder::Node;
+using Node = MeshSketch::Node;
 
 // Two triangles of degree p on the edge from (0, 0) to (4, 0), which is bent up by `bend`; each one's control
 // points of that edge are its own nodes.
 struct Pair {
-  MeshBuilder builder;
+  MeshSketch builder;
   Node a, b;
   std::vector<Node> lower, upper;
   std::size_t below, above;
@@ -56,7 +56,7 @@ TEST_CASE("a node with many edges: glued, and one element there twice") {
   // A fan over the points (k, k^2) of a parabola.
   for (const int count : {3, 8, 33, 200}) {
     INFO(count);
-    MeshBuilder open;
+    MeshSketch open;
     const Node top = open.node(0, count * count + 1);
     std::vector<Node> bottom;
     for (int k = -count; k <= count; ++k) bottom.push_back(open.node(k, k * k));
@@ -95,7 +95,7 @@ TEST_CASE("different curves between the same nodes do not conform, with the dist
 TEST_CASE("an edge of one shape and two parametrisations: projective is fine, another is not") {
   // Weights 1, 2, 4 are a projective change of the parameter of 1, 1, 1.
   Pair projective;
-  MeshBuilder& builder = projective.builder;
+  MeshSketch& builder = projective.builder;
   const Node a2 = builder.node(0, 0, 1), b2 = builder.node(4, 0, 4);
   builder.weight(projective.upper[0]) = 2;
   // By points: the corners are one vertex though their weights differ.
@@ -119,7 +119,7 @@ TEST_CASE("an edge of one shape and two parametrisations: projective is fine, an
 
 TEST_CASE("three elements on an edge, and two on one side, are not manifold") {
   for (const int p : {1, 2, 3}) {
-    MeshBuilder three;
+    MeshSketch three;
     const Node a = three.node(0, 0), b = three.node(4, 0);
     three.triangle(a, b, three.node(0, 3), p);
     three.triangle(a, b, three.node(4, 3), p);
@@ -131,7 +131,7 @@ TEST_CASE("three elements on an edge, and two on one side, are not manifold") {
     CHECK(first_obstacle(result).nodes == std::vector<std::uint32_t>{a, b});
     check(three.build(false), MeshVerdict::non_manifold);
 
-    MeshBuilder side;
+    MeshSketch side;
     const Node c = side.node(0, 0), d = side.node(4, 0);
     side.triangle(c, d, side.node(0, 3), p);
     side.triangle(c, d, side.node(4, 3), p);
@@ -144,7 +144,7 @@ TEST_CASE("three elements on an edge, and two on one side, are not manifold") {
 TEST_CASE("a Moebius-like gluing is not manifold") {
   // A ring of five triangles whose last one runs along edge 0 1 as the first does. (Nodes on a pentagon
   // star.)
-  MeshBuilder builder;
+  MeshSketch builder;
   const Node n0 = builder.node(0, 0), n1 = builder.node(4, 0), n2 = builder.node(2, 3),
              n3 = builder.node(6, 3);
   const Node n4 = builder.node(4, 6);
@@ -156,7 +156,7 @@ TEST_CASE("a Moebius-like gluing is not manifold") {
 }
 
 TEST_CASE("a curve raised in degree is the same edge") {
-  MeshBuilder builder;
+  MeshSketch builder;
   const Node a = builder.node(0, 0), b = builder.node(4, 0), low = builder.node(2, -4),
              high = builder.node(2, 4);
   builder.curve(a, b, {builder.node(2, 1)});
@@ -169,7 +169,7 @@ TEST_CASE("a curve raised in degree is the same edge") {
 }
 
 TEST_CASE("gluing obstacles are reported beside invalid elements") {
-  MeshBuilder builder;
+  MeshSketch builder;
   const Node a = builder.node(0, 0), b = builder.node(4, 0);
   builder.triangle(a, b, builder.node(0, 3));
   builder.triangle(a, b, builder.node(4, 3));

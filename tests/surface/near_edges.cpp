@@ -1,7 +1,7 @@
 // Near edges are a filter that is made early. No pair that meets may be missing: all pairs of boundary edges
 // are compared exactly. And obstacles are the same whether near edges are known before or found late.
 #include "bezcert/surface/boundary_contacts.hpp"
-#include "mesh_builder.hpp"
+#include "mesh_sketch.hpp"
 #include "random_input.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,8 +13,8 @@ namespace {
 
 // Squares, each two triangles, at random places of a square with `size` times their side: some apart, some
 // not. Half of them have a curved side, bent in or out, or so that it turns back beside its neighbour.
-MeshBuilder scattered(Random& random, int squares, long size) {
-  MeshBuilder builder;
+MeshSketch scattered(Random& random, int squares, long size) {
+  MeshSketch builder;
   // Multiples of 3, and sides of 12: all control points are doubles.
   const auto quarter = [&](long low, long high) { return 12 * random.rational(low, high, 4); };
   for (int i = 0; i < squares; ++i) {
@@ -50,7 +50,7 @@ TEST_CASE("near edges hold all contacts, and obstacles do not depend on when the
     INFO("seed " << seed << " case " << i);
     const long size = random.chance(30) ? 40 : random.integer(1, 6);
     const Mesh mesh = scattered(random, 6, size).build();
-    REQUIRE(mesh.x.binary64());
+    REQUIRE(mesh.coordinates(0).binary64());
     ObstacleList gluing_obstacles;
     const Surface surface(mesh, gluing_obstacles);
     const auto all = find_near_edges(surface, std::nullopt, 100000);

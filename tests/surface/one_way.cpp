@@ -2,6 +2,7 @@
 // chord: against integers, on chords to which some control edges are nearly perpendicular.
 #include "bezcert/surface/one_way.hpp"
 #include "random_input.hpp"
+#include "mesh_parts.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -42,7 +43,7 @@ double value_at(std::vector<double> c, double t) {
 // Two triangles with nodes of their own whose edges 0 follow each other along a line, or near one. The rest
 // of the nodes does not matter.
 Mesh two_edges(Random& random) {
-  Mesh mesh;
+  MeshParts mesh;
   const double a = random.chance(30) ? 1 : random.any_double(-2, 2);
   const double b = random.chance(30) ? 0 : random.any_double(-2, 2);
   const double scale = random.chance(90) ? 1 : std::ldexp(1, static_cast<int>(random.integer(-500, 500)));
@@ -54,7 +55,7 @@ Mesh two_edges(Random& random) {
     const Basis basis = random.chance(50) ? Basis::lagrange : Basis::bernstein;
     const std::vector<double> values = rising(random, n);
     const Shape shape = Shape::triangle(n);
-    const std::size_t first = mesh.x.size();
+    const std::size_t first = mesh.coordinates(0).size();
     for (std::size_t k = 0; k < coefficient_count(shape); ++k) {
       const int along = std::min(static_cast<int>(k), n);
       const double t = start + (basis == Basis::lagrange ? value_at(values, static_cast<double>(along) / n)
@@ -63,19 +64,19 @@ Mesh two_edges(Random& random) {
         return scale * (origin + t * slope + noise * random.any_double(-1, 1));
       };
       if (element == 1 && k == 0) {
-        const auto joint = static_cast<std::size_t>(mesh.elements[0].shape.degree(0));
-        mesh.x.push_back(double(mesh.x.doubles()[joint]));
-        mesh.y.push_back(double(mesh.y.doubles()[joint]));
+        const auto joint = static_cast<std::size_t>(mesh.elements()[0].shape.degree(0));
+        mesh.coordinates(0).push_back(double(mesh.coordinates(0).doubles()[joint]));
+        mesh.coordinates(1).push_back(double(mesh.coordinates(1).doubles()[joint]));
       } else {
-        mesh.x.push_back(coordinate(a));
-        mesh.y.push_back(coordinate(b));
+        mesh.coordinates(0).push_back(coordinate(a));
+        mesh.coordinates(1).push_back(coordinate(b));
       }
-      mesh.connectivity.push_back(static_cast<std::uint32_t>(first + k));
+      mesh.connectivity().push_back(static_cast<std::uint32_t>(first + k));
     }
-    mesh.elements.push_back({shape, basis, static_cast<std::uint64_t>(element) + 1, 0, first});
+    mesh.elements().push_back({shape, basis, first});
     start += values.back();
   }
-  return mesh;
+  return mesh.build();
 }
 
 // The least product of a control edge with d, up to a positive factor.
@@ -101,8 +102,8 @@ void attack(std::uint64_t seed, int cases) {
     const int mode = modes[static_cast<std::size_t>(i) % modes.size()];
     std::fesetround(mode);
     // The direction that is asked about, in the same doubles.
-    const double x = mesh.x.doubles()[to.back()] - mesh.x.doubles()[from.front()];
-    const double y = mesh.y.doubles()[to.back()] - mesh.y.doubles()[from.front()];
+    const double x = mesh.coordinates(0).doubles()[to.back()] - mesh.coordinates(0).doubles()[from.front()];
+    const double y = mesh.coordinates(1).doubles()[to.back()] - mesh.coordinates(1).doubles()[from.front()];
     const bool one_way = run_one_way(edges, p, q);
     std::fesetround(FE_TONEAREST);
     const Rational dx = exact(x), dy = exact(y);
@@ -119,21 +120,21 @@ void attack(std::uint64_t seed, int cases) {
 
 Mesh straight(Basis basis, std::initializer_list<std::pair<double, double>> first,
               std::initializer_list<std::pair<double, double>> second) {
-  Mesh mesh;
+  MeshParts mesh;
   for (const auto& side : {first, second}) {
-    const std::size_t start = mesh.x.size();
+    const std::size_t start = mesh.coordinates(0).size();
     const int n = static_cast<int>(side.size()) - 1;
     const Shape shape = Shape::triangle(n);
     std::vector<std::pair<double, double>> points(side);
     points.resize(coefficient_count(shape), {0, 1});
     for (std::size_t k = 0; k < points.size(); ++k) {
-      mesh.x.push_back(points[k].first);
-      mesh.y.push_back(points[k].second);
-      mesh.connectivity.push_back(static_cast<std::uint32_t>(start + k));
+      mesh.coordinates(0).push_back(points[k].first);
+      mesh.coordinates(1).push_back(points[k].second);
+      mesh.connectivity().push_back(static_cast<std::uint32_t>(start + k));
     }
-    mesh.elements.push_back({shape, basis, 1, 0, start});
+    mesh.elements().push_back({shape, basis, start});
   }
-  return mesh;
+  return mesh.build();
 }
 
 }  // namespace
@@ -160,14 +161,14 @@ TEST_CASE("edges that turn back do not run one way") {
 TEST_CASE("where doubles do not tell, nothing is said") {
   const auto ask = [](const Mesh& mesh) { return run_one_way(HalfEdges(mesh), 0, 3); };
   const Mesh plain = straight(Basis::bernstein, {{0, 0}, {1, 0}}, {{1, 0}, {2, 0}});
-  Mesh mesh = plain;
-  for (const double weight : {2, 2, 1, 2, 2, 1}) mesh.weights.push_back(weight);
-  CHECK(ask(mesh));  // one weight along each edge
-  mesh.weights = ExactVector(std::vector<double>{2, 1, 1, 2, 2, 1});
-  CHECK_FALSE(ask(mesh));
-  mesh = plain;
-  mesh.x = ExactVector(std::vector<Rational>{0, 1, 0, 1, Rational(7, 3), 0});
-  CHECK_FALSE(ask(mesh));
+  MeshParts mesh(plain);
+  for (const double weight : {2, 2, 1, 2, 2, 1}) mesh.weights().push_back(weight);
+  CHECK(ask(mesh.build()));  // one weight along each edge
+  mesh.weights() = ExactVector(std::vector<double>{2, 1, 1, 2, 2, 1});
+  CHECK_FALSE(ask(mesh.build()));
+  mesh = MeshParts(plain);
+  mesh.coordinates(0) = ExactVector(std::vector<Rational>{0, 1, 0, 1, Rational(7, 3), 0});
+  CHECK_FALSE(ask(mesh.build()));
   for (const double scale : {0x1p-420, 0x1p440, 0x1p1000}) {  // products that are too small or too large
     CHECK_FALSE(ask(straight(Basis::bernstein, {{0, 0}, {scale, 0}}, {{scale, 0}, {1.5 * scale, 0}})));
   }
@@ -175,7 +176,7 @@ TEST_CASE("where doubles do not tell, nothing is said") {
   for (const auto& [degree, basis, expected] :
        {std::tuple{64, Basis::bernstein, false}, std::tuple{63, Basis::bernstein, true},
         std::tuple{50, Basis::lagrange, false}, std::tuple{5, Basis::lagrange, true}}) {
-    Mesh high;
+    MeshParts high;
     for (const int element : {0, 1}) {
       const Shape shape = Shape::triangle(degree);
       const std::size_t first = high.x.size();
@@ -184,9 +185,9 @@ TEST_CASE("where doubles do not tell, nothing is said") {
         high.y.push_back(0.0);
         high.connectivity.push_back(static_cast<std::uint32_t>(first + k));
       }
-      high.elements.push_back({shape, basis, 1, 0, first});
+      high.elements.push_back({shape, basis, first});
     }
     INFO("degree " << degree);
-    CHECK(ask(high) == expected);
+    CHECK(ask(high.build()) == expected);
   }
 }

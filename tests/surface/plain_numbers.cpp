@@ -3,6 +3,7 @@
 #include "bezcert/surface/loop_area.hpp"
 #include "bezcert/surface/polynomial_area.hpp"
 #include "random_input.hpp"
+#include "mesh_parts.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -16,7 +17,7 @@ namespace {
 
 // One element with nodes of its own: near a corner of an even grid, or anywhere.
 Mesh random_mesh(Random& random) {
-  Mesh mesh;
+  MeshParts mesh;
   const bool triangle = random.chance(70);
   const int p = static_cast<int>(random.integer(1, 7));
   const Shape shape{triangle ? Domain::triangle : Domain::square, p,
@@ -38,13 +39,13 @@ Mesh random_mesh(Random& random) {
         }
         if (random.chance(50)) y = std::nextafter(y, random.chance(50) ? 1e300 : -1e300);
       }
-      mesh.x.push_back(x);
-      mesh.y.push_back(y);
-      mesh.connectivity.push_back(static_cast<std::uint32_t>(mesh.connectivity.size()));
+      mesh.coordinates(0).push_back(x);
+      mesh.coordinates(1).push_back(y);
+      mesh.connectivity().push_back(static_cast<std::uint32_t>(mesh.connectivity().size()));
     }
   }
-  mesh.elements.push_back({shape, random.chance(60) ? Basis::lagrange : Basis::bernstein, 1, 0, 0});
-  return mesh;
+  mesh.elements().push_back({shape, random.chance(60) ? Basis::lagrange : Basis::bernstein, 0});
+  return mesh.build();
 }
 
 // The area beside an edge from its exact control points: the sum of all products with their integrals.

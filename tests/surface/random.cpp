@@ -4,7 +4,7 @@
 // control polygons of grid lines then climb by less than they advance, so that edges along different
 // directions or lines meet in common nodes only, and the mesh is an embedding as soon as its elements are
 // injective.
-#include "mesh_builder.hpp"
+#include "mesh_sketch.hpp"
 #include "random_input.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,10 +14,10 @@
 namespace bezcert::test {
 namespace {
 
-using Node = MeshBuilder::Node;
+using Node = MeshSketch::Node;
 
 struct Grid {
-  MeshBuilder builder;
+  MeshSketch builder;
   int wide = 0, high = 0, degree = 1;
   std::map<std::pair<int, int>, Node> at;
   std::map<std::pair<int, int>, std::vector<Node>>
@@ -31,7 +31,7 @@ Grid random_grid(Random& random, bool slot) {
   grid.wide = 3;
   grid.high = static_cast<int>(random.integer(2, 3));
   grid.degree = static_cast<int>(random.integer(1, 3));
-  MeshBuilder& b = grid.builder;
+  MeshSketch& b = grid.builder;
   const bool rational = random.chance(30);
   const auto weight = [&] { return rational ? 1 + random.rational(0, 1, 4) / 2 : Rational(1); };
   const auto moved = [&](const Rational& x, int eighths) {
@@ -71,7 +71,7 @@ Grid random_grid(Random& random, bool slot) {
   return grid;
 }
 
-void transform(MeshBuilder& builder, const std::array<Rational, 6>& m) {
+void transform(MeshSketch& builder, const std::array<Rational, 6>& m) {
   for (Node n = 0; n < builder.node_count(); ++n) {
     const Rational x = builder.x(n), y = builder.y(n);
     builder.x(n) = m[0] * x + m[1] * y + m[4];
@@ -80,7 +80,7 @@ void transform(MeshBuilder& builder, const std::array<Rational, 6>& m) {
 }
 
 // The same mesh with its nodes and elements in another order.
-Mesh relabelled(const MeshBuilder& builder, Random& random) {
+Mesh relabelled(const MeshSketch& builder, Random& random) {
   std::vector<Node> to(builder.node_count());
   std::vector<std::size_t> order(builder.elements().size());
   for (Node n = 0; n < to.size(); ++n) to[n] = n;
@@ -92,7 +92,7 @@ Mesh relabelled(const MeshBuilder& builder, Random& random) {
   };
   shuffle(to);
   shuffle(order);
-  Mesh mesh = builder.build(true, order);
+  MeshParts mesh(builder.build(true, order));
   std::vector<Rational> x(to.size()), y(to.size()), w(to.size());
   for (Node n = 0; n < to.size(); ++n) {
     x[to[n]] = mesh.x[n];
@@ -103,7 +103,7 @@ Mesh relabelled(const MeshBuilder& builder, Random& random) {
   mesh.y = ExactVector(y);
   if (!mesh.weights.empty()) mesh.weights = ExactVector(w);
   for (Node& n : mesh.connectivity) n = to[n];
-  return mesh;
+  return mesh.build();
 }
 
 bool has_invalid_elements(const Examined& result) {
@@ -165,7 +165,7 @@ TEST_CASE("one control point moved on one side of an edge breaks an embedding") 
     // The lower edge of a cell in row 1, as the cell sees it.
     const int column = static_cast<int>(random.integer(0, 2));
     const Node from = grid.across[{column, 1}].front();
-    MeshBuilder& b = grid.builder;
+    MeshSketch& b = grid.builder;
     const Rational step(1, Integer(1) << static_cast<unsigned>(random.integer(3, 60)));
     b.replace(grid.cell[{column, 1}], from, b.node(b.x(from) + step, b.y(from) - step, b.weight(from)));
     const Examined result = examine(b.build());

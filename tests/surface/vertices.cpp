@@ -1,5 +1,5 @@
 // Vertices: pinched, wound twice, cusps.
-#include "mesh_builder.hpp"
+#include "mesh_sketch.hpp"
 
 #include "bezcert/curve/branches.hpp"
 
@@ -8,11 +8,11 @@
 namespace bezcert::test {
 namespace {
 
-using Node = MeshBuilder::Node;
+using Node = MeshSketch::Node;
 
 // Triangles around the origin; rim node k in direction k times a right angle, at distance 2 + k / 4.
-MeshBuilder fan(int rim, bool closed, int degree) {
-  MeshBuilder builder;
+MeshSketch fan(int rim, bool closed, int degree) {
+  MeshSketch builder;
   const Node centre = builder.node(0, 0);
   std::vector<Node> nodes;
   for (int k = 0; k < rim; ++k) {
@@ -30,8 +30,8 @@ MeshBuilder fan(int rim, bool closed, int degree) {
 
 // The outside of a sliver that ends in the origin, between y = x^2 / 4 (control point (1, 0)) above and
 // below; or the same with both edges exchanged, which covers the sliver twice.
-MeshBuilder aerofoil(bool crossed) {
-  MeshBuilder builder;
+MeshSketch aerofoil(bool crossed) {
+  MeshSketch builder;
   const Node tip = builder.node(0, 0);
   const Node first = builder.node(2, crossed ? -1 : 1), last = builder.node(2, crossed ? 1 : -1);
   const Node top = builder.node(0, 3), left = builder.node(-3, 0), bottom = builder.node(0, -3);
@@ -58,7 +58,7 @@ CurveNet<Integer> net(const std::vector<std::array<int, 2>>& points) {
 
 TEST_CASE("elements that touch in one node only make it pinched") {
   for (const bool by_nodes : {true, false}) {
-    MeshBuilder builder;
+    MeshSketch builder;
     const Node a = builder.node(0, 0);
     builder.triangle(a, builder.node(2, 0), builder.node(2, 2));
     builder.triangle(a, builder.node(-2, 0), builder.node(-2, -2));

@@ -135,10 +135,10 @@ class CertificateWriter::BlockOfClaims : public Block {
 void CertificateWriter::begin(const Mesh& mesh) {
   mesh_ = &mesh;
   claims_.clear();
-  claims_.reserve(mesh.elements.size());
+  claims_.reserve(mesh.elements().size());
   without_evidence_ = 0;
   stream_ << "bezcert-certificate 1\nelements " << header_.elements_sha256 << "\nbasis " << header_.basis
-          << "\nnumbers " << name(header_.numbers) << "\ncount " << mesh.elements.size() << '\n';
+          << "\nnumbers " << name(header_.numbers) << "\ncount " << mesh.elements().size() << '\n';
 }
 
 std::unique_ptr<CheckObserver::Block> CertificateWriter::new_block() {

@@ -114,7 +114,7 @@ MeshReport check_mesh(const Mesh& mesh, const CheckOptions& options, CheckObserv
   observer.begin(mesh);
   std::optional<MeshTopology> topology;
   ElementsReport elements =
-      ElementsCheck(mesh, 0, mesh.elements.size(), options, observer).run([&] { topology.emplace(mesh); });
+      ElementsCheck(mesh, 0, mesh.elements().size(), options, observer).run([&] { topology.emplace(mesh); });
   MeshReport report = conclude(*topology, std::move(elements), options);
   observer.end(mesh, report);
   return report;
@@ -127,14 +127,14 @@ MeshReport check_mesh(const Mesh& mesh, const CheckOptions& options) {
 
 ElementsReport check_elements(const Mesh& mesh, std::size_t first, std::size_t last,
                               const CheckOptions& options, CheckObserver& observer) {
-  if (first > last || last > mesh.elements.size()) {
+  if (first > last || last > mesh.elements().size()) {
     throw std::invalid_argument("check_elements: expected a range of the mesh's elements");
   }
   return ElementsCheck(mesh, first, last, options, observer).run([] {});
 }
 
 MeshReport conclude(const Mesh& mesh, ElementsReport elements, const CheckOptions& options) {
-  if (elements.first != 0 || elements.last != mesh.elements.size()) {
+  if (elements.first != 0 || elements.last != mesh.elements().size()) {
     throw std::invalid_argument("conclude: expected the report of all elements");
   }
   return conclude(MeshTopology(mesh), std::move(elements), options);

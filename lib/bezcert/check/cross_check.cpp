@@ -42,10 +42,10 @@ class FullForms {
 
 // The net that answers by status alone, where the element has one.
 bool load(const Mesh& mesh, std::size_t i, QuickNet& net) {
-  if (!mesh.x.binary64() || !mesh.y.binary64() || mesh.rational(i)) return false;
-  const MeshElement& entry = mesh.elements[i];
-  return net.load(entry.shape, entry.basis, mesh.x.doubles(), mesh.y.doubles(),
-                  {mesh.connectivity.data() + entry.first_node, coefficient_count(entry.shape)});
+  if (!mesh.coordinates(0).binary64() || !mesh.coordinates(1).binary64() || mesh.rational(i)) return false;
+  const MeshElement& entry = mesh.elements()[i];
+  return net.load(entry.shape, entry.basis, mesh.coordinates(0).doubles(), mesh.coordinates(1).doubles(),
+                  {mesh.connectivity().data() + entry.first_node, coefficient_count(entry.shape)});
 }
 
 }  // namespace

@@ -8,19 +8,17 @@ namespace {
 // Elements looked at together: enough to fill blocks where kinds alternate, few enough to stay in cache.
 constexpr std::size_t window = 256;
 
-enum class Weights { none, equal, different, improper };
+enum class Weights { none, equal, different };
 
 Weights weights_of(const Mesh& mesh, const MeshElement& entry) {
-  if (mesh.weights.empty()) return Weights::none;
-  const std::span<const double> weights = mesh.weights.doubles();
-  const std::uint32_t* nodes = mesh.connectivity.data() + entry.first_node;
+  if (mesh.weights().empty()) return Weights::none;
+  const std::span<const double> weights = mesh.weights().doubles();
+  const std::uint32_t* nodes = mesh.connectivity().data() + entry.first_node;
   const std::size_t count = coefficient_count(entry.shape);
   const double first = weights[nodes[0]];
   bool equal = true;
   for (std::size_t i = 0; i < count; ++i) {
-    const double weight = weights[nodes[i]];
-    if (!(weight > 0)) return Weights::improper;
-    equal &= weight == first;
+    equal &= weights[nodes[i]] == first;
   }
   return equal ? Weights::equal : Weights::different;
 }
@@ -37,16 +35,16 @@ struct Group {
 }  // namespace
 
 void MeshDecider::settle(std::size_t first, std::size_t last, std::span<batch::Settled> results) const {
-  const bool doubles = mesh_.x.binary64() && mesh_.y.binary64() && mesh_.weights.binary64();
+  const bool doubles =
+      mesh_.coordinates(0).binary64() && mesh_.coordinates(1).binary64() && mesh_.weights().binary64();
   if (filter_ == Filter::off || !doubles) {
     std::fill(results.begin(), results.end(), batch::Settled{});
     return;
   }
   std::vector<Group> groups;
   for (std::size_t i = first; i < last; ++i) {
-    const MeshElement& entry = mesh_.elements[i];
+    const MeshElement& entry = mesh_.elements()[i];
     const Weights weights = weights_of(mesh_, entry);
-    if (weights == Weights::improper) continue;
     const bool rational = weights == Weights::different;
     auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& one) {
       return one.shape == entry.shape && one.basis == entry.basis && one.rational == rational;
@@ -60,9 +58,9 @@ void MeshDecider::settle(std::size_t first, std::size_t last, std::span<batch::S
     group->place.push_back(i - first);
   }
   std::fill(results.begin(), results.end(), batch::Settled{});
-  const batch::Nodes nodes{mesh_.x.doubles().data(), mesh_.y.doubles().data(),
-                           mesh_.weights.empty() ? nullptr : mesh_.weights.doubles().data(),
-                           mesh_.connectivity.data()};
+  const batch::Nodes nodes{mesh_.coordinates(0).doubles().data(), mesh_.coordinates(1).doubles().data(),
+                           mesh_.weights().empty() ? nullptr : mesh_.weights().doubles().data(),
+                           mesh_.connectivity().data()};
   std::vector<batch::Settled> found;
   for (const Group& group : groups) {
     if (group.table == nullptr) continue;

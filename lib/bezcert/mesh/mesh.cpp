@@ -21,24 +21,22 @@ ExactVector gather(const ExactVector& from, std::span<const std::uint32_t> nodes
 
 }  // namespace
 
-std::string_view name(Numbers numbers) { return numbers == Numbers::binary64 ? "binary64" : "decimal"; }
-
 Element Mesh::element(std::size_t i) const {
-  const MeshElement& entry = elements[i];
-  const std::span<const std::uint32_t> nodes(connectivity.data() + entry.first_node,
+  const MeshElement& entry = elements_[i];
+  const std::span<const std::uint32_t> nodes(connectivity_.data() + entry.first_node,
                                              coefficient_count(entry.shape));
-  return Element(entry.shape, entry.basis, {gather(x, nodes), gather(y, nodes)},
-                 weights.empty() ? ExactVector() : gather(weights, nodes));
+  return Element(entry.shape, entry.basis, {gather(coordinates_[0], nodes), gather(coordinates_[1], nodes)},
+                 weights_.empty() ? ExactVector() : gather(weights_, nodes));
 }
 
 bool Mesh::rational(std::size_t i) const {
-  if (weights.empty()) return false;
-  const MeshElement& entry = elements[i];
-  const std::uint32_t* nodes = connectivity.data() + entry.first_node;
+  if (weights_.empty()) return false;
+  const MeshElement& entry = elements_[i];
+  const std::uint32_t* nodes = connectivity_.data() + entry.first_node;
   const std::size_t count = coefficient_count(entry.shape);
   return std::any_of(nodes, nodes + count, [&](std::uint32_t node) {
-    return weights.binary64() ? weights.doubles()[node] != weights.doubles()[nodes[0]]
-                              : weights.rationals()[node] != weights.rationals()[nodes[0]];
+    return weights_.binary64() ? weights_.doubles()[node] != weights_.doubles()[nodes[0]]
+                               : weights_.rationals()[node] != weights_.rationals()[nodes[0]];
   });
 }
 

@@ -1,65 +1,57 @@
-// A planar mesh as read: nodes given exactly, elements of mixed kind and degree that refer to them.
+// A planar mesh: nodes given exactly, elements of mixed kind and degree that refer to them. It does not
+// change once it is made, and only MeshBuilder makes one: whatever a Mesh holds has been checked there.
 #pragma once
 
 #include "bezcert/element/element.hpp"
-#include "bezcert/mesh/node_tags.hpp"
+#include "bezcert/mesh/mesh_origin.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace bezcert {
 
-/// What text coordinates mean: the nearest double, or their exact decimal value.
-enum class Numbers { binary64, decimal };
-
-std::string_view name(Numbers numbers);
-
-/// Cells that are no triangles or quadrilaterals, by dimension: not looked at, but counted.
-struct IgnoredCells {
-  std::size_t points = 0;
-  std::size_t lines = 0;
-  std::size_t volumes = 0;
-};
-
 struct MeshElement {
   Shape shape;
   Basis basis = Basis::bernstein;
-  std::uint64_t tag = 0;       ///< the number the file gives it; else its place, counted from 1
-  std::uint32_t line = 0;      ///< line of the file, 0 if it has none (binary)
-  std::size_t first_node = 0;  ///< its nodes are connectivity[first_node ...], in the order of shape.hpp
+  std::size_t first_node = 0;  ///< its nodes are connectivity()[first_node ...], in the order of shape.hpp
 };
 
 class Mesh {
  public:
-  ExactVector x;
-  ExactVector y;
-  /// Weights of the nodes; empty if the file has none.
-  ExactVector weights;
-  std::vector<std::uint32_t> connectivity;
-  std::vector<MeshElement> elements;
-  /// Names and expected verdicts of elements (.bez.json); empty, or one an element.
-  std::vector<std::string> names;
-  std::vector<std::string> expected;
+  /// Coordinates of a node: 2.
+  std::size_t dimension() const { return coordinates_.size(); }
+  std::size_t node_count() const { return coordinates_[0].size(); }
+  /// The k-th coordinate of every node. Precondition: k < dimension().
+  const ExactVector& coordinates(std::size_t k) const { return coordinates_[k]; }
+  /// Weights of the nodes, all positive; empty if none were given.
+  const ExactVector& weights() const { return weights_; }
+  /// Nodes of elements: all are below node_count().
+  const std::vector<std::uint32_t>& connectivity() const { return connectivity_; }
+  /// At least one.
+  const std::vector<MeshElement>& elements() const { return elements_; }
   /// Whether elements are neighbours by common nodes (.msh); otherwise by edges that are exactly equal, and
   /// corners are one vertex if they are one point (.bez.json with elements that list their own points).
-  bool glued_by_nodes = true;
-  /// The numbers that the file gives its nodes; empty if it has none (then they are their places, from 0).
-  NodeTags node_tags;
-  IgnoredCells ignored;
-  /// What was assumed when reading: for reports.
-  std::string basis_name;
-  Numbers numbers = Numbers::binary64;
+  bool glued_by_nodes() const { return glued_by_nodes_; }
+  const MeshOrigin& origin() const { return origin_; }
 
-  /// The i-th element with its own copy of its points. Throws std::invalid_argument as Element does.
+  /// The i-th element with its own copy of its points. Precondition: i < elements().size().
   Element element(std::size_t i) const;
 
   /// Whether the i-th element has different weights: it is not polynomial.
   bool rational(std::size_t i) const;
 
-  /// What the file calls a node.
-  std::uint64_t node_number(std::uint32_t node) const { return node_tags.empty() ? node : node_tags[node]; }
+ private:
+  friend class MeshBuilder;
+  Mesh() = default;
+
+  std::array<ExactVector, 2> coordinates_;
+  ExactVector weights_;
+  std::vector<std::uint32_t> connectivity_;
+  std::vector<MeshElement> elements_;
+  bool glued_by_nodes_ = true;
+  MeshOrigin origin_;
 };
 
 }  // namespace bezcert

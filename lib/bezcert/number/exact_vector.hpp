@@ -38,8 +38,11 @@ class ExactVector {
   /// Appends `count` zeros, to be overwritten through the result before anything else is appended.
   /// Preconditions: binary64(), and only finite numbers are written.
   std::span<double> append_zeros(std::size_t count);
-  /// Removes the last `count` numbers. Precondition: binary64().
-  void remove_last(std::size_t count) { doubles_.resize(doubles_.size() - count); }
+  /// Removes the last `count` numbers. Precondition: count <= size().
+  void remove_last(std::size_t count) {
+    if (binary64_) return doubles_.resize(doubles_.size() - count);
+    rationals_.resize(rationals_.size() - count);
+  }
 
   ScaledIntegers scaled() const {
     return binary64_ ? scaled_integers(doubles()) : scaled_integers(rationals());

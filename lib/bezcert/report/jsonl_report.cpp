@@ -107,20 +107,22 @@ class JsonLinesReport : public Report {
                         {"tool", "bezcert " + std::string(version)},
                         {"input", source_.input},
                         {"sha256", source_.sha256},
-                        {"basis", mesh.basis_name},
-                        {"numbers", name(mesh.numbers)}});
+                        {"basis", mesh.origin().basis_name},
+                        {"numbers", name(mesh.origin().numbers)}});
   }
 
   // Written directly: with a document for each element this took longer than the decision.
   void append_element(const Mesh& mesh, std::size_t index, const CheckedElement& checked,
                       std::string& text) const override {
-    const MeshElement& entry = mesh.elements[index];
+    const MeshElement& entry = mesh.elements()[index];
     const Decision& decision = checked.decision;
     const bool triangle = entry.shape.domain == Domain::triangle;
     Writer to(text);
-    to << "{\"element\":"sv << entry.tag << ",\"line\":"sv;
-    entry.line > 0 ? to << entry.line : to << "null"sv;
-    if (index < mesh.names.size() && !mesh.names[index].empty()) to.field("name", mesh.names[index]);
+    const MeshOrigin& origin = mesh.origin();
+    const std::uint32_t line = origin.line(index);
+    to << "{\"element\":"sv << origin.number(index) << ",\"line\":"sv;
+    line > 0 ? to << line : to << "null"sv;
+    if (!origin.name(index).empty()) to.field("name", std::string(origin.name(index)));
     to << (triangle ? ",\"kind\":\"triangle\",\"degree\":"sv : ",\"kind\":\"quadrilateral\",\"degree\":["sv)
        << static_cast<std::uint64_t>(entry.shape.degree(0));
     if (!triangle) to << ","sv << static_cast<std::uint64_t>(entry.shape.degree(1)) << "]"sv;
@@ -165,7 +167,7 @@ class JsonLinesReport : public Report {
     object["mesh"] = mesh_object(mesh, report.mesh);
     if (report.domain) object["domain"] = domain_object(source_.curves, mesh, *report.domain);
     object["ignored"] = {
-        {"points", mesh.ignored.points}, {"lines", mesh.ignored.lines}, {"volumes", mesh.ignored.volumes}};
+        {"points", mesh.origin().ignored.points}, {"lines", mesh.origin().ignored.lines}, {"volumes", mesh.origin().ignored.volumes}};
     object["seconds"] = seconds();
     stream_ << line_of({{"summary", object}});
   }

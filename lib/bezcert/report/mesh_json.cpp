@@ -10,13 +10,13 @@ Json point_array(const Point& point) { return Json::array({to_string(point.x), t
 
 Json element_numbers(const Mesh& mesh, const std::vector<std::uint32_t>& elements) {
   Json result = Json::array();
-  for (const std::uint32_t element : elements) result.push_back(mesh.elements[element].tag);
+  for (const std::uint32_t element : elements) result.push_back(mesh.origin().number(element));
   return result;
 }
 
 Json node_numbers(const Mesh& mesh, const std::vector<std::uint32_t>& nodes) {
   Json result = Json::array();
-  for (const std::uint32_t node : nodes) result.push_back(mesh.node_number(node));
+  for (const std::uint32_t node : nodes) result.push_back(mesh.origin().node_number(node));
   return result;
 }
 
@@ -30,7 +30,7 @@ Json obstacle_object(const Mesh& mesh, const MeshObstacle& obstacle, const Obsta
   if (!obstacle.edges.empty()) {
     object["edges"] = Json::array();
     for (const ElementEdge& edge : obstacle.edges) {
-      object["edges"].push_back({{"element", mesh.elements[edge.element].tag}, {"edge", edge.edge}});
+      object["edges"].push_back({{"element", mesh.origin().number(edge.element)}, {"edge", edge.edge}});
     }
   }
   if (!obstacle.nodes.empty()) object["nodes"] = node_numbers(mesh, obstacle.nodes);

@@ -1,6 +1,7 @@
 #include "bezcert/report/mesh_text.hpp"
 
 #include "bezcert/io/printable.hpp"
+#include "bezcert/report/obstacle_text.hpp"
 
 namespace bezcert {
 namespace {

@@ -9,9 +9,9 @@ std::string place_text(const Point& point) { return "the point " + text_of(point
 
 // "node 7 at (0.5, 0.25)", or "the point (0.5, 0.25)" in a mesh that is glued by points.
 std::string node_text(const Mesh& mesh, std::uint32_t node) {
-  const Point point{mesh.x[node], mesh.y[node]};
-  if (!mesh.glued_by_nodes) return place_text(point);
-  return "node " + std::to_string(mesh.node_number(node)) + " at " + text_of(point);
+  const Point point{mesh.coordinates(0)[node], mesh.coordinates(1)[node]};
+  if (!mesh.glued_by_nodes()) return place_text(point);
+  return "node " + std::to_string(mesh.origin().node_number(node)) + " at " + text_of(point);
 }
 
 std::string node_text(const Mesh& mesh, const MeshObstacle& obstacle, std::size_t i = 0) {
@@ -19,7 +19,7 @@ std::string node_text(const Mesh& mesh, const MeshObstacle& obstacle, std::size_
 }
 
 std::string element_text(const Mesh& mesh, std::uint32_t element) {
-  return "element " + std::to_string(mesh.elements[element].tag);
+  return "element " + std::to_string(mesh.origin().number(element));
 }
 
 // "element 12", "elements 12 and 40", "elements 12, 40 and 41".
@@ -29,16 +29,16 @@ std::string elements_text(const Mesh& mesh, const std::vector<std::uint32_t>& el
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (i == listed) return text + " and " + std::to_string(elements.size() - listed) + " more";
     if (i > 0) text += i + 1 == elements.size() ? " and " : ", ";
-    text += std::to_string(mesh.elements[elements[i]].tag);
+    text += std::to_string(mesh.origin().number(elements[i]));
   }
   return text;
 }
 
 // The node where an edge begins, or ends.
 std::uint32_t end_node(const Mesh& mesh, const ElementEdge& edge, End end) {
-  const MeshElement& element = mesh.elements[edge.element];
+  const MeshElement& element = mesh.elements()[edge.element];
   const std::vector<std::size_t> along = edge_positions(element.shape, edge.edge);
-  return mesh.connectivity[element.first_node + (end == End::begin ? along.front() : along.back())];
+  return mesh.connectivity()[element.first_node + (end == End::begin ? along.front() : along.back())];
 }
 
 std::string edge_text(const Mesh& mesh, const ElementEdge& edge) {

@@ -42,7 +42,7 @@ class TextReport : public Report {
       stream_ << comma << counts.count(verdict) << " " << name(verdict);
       comma = ", ";
     }
-    const IgnoredCells& ignored = mesh.ignored;
+    const IgnoredCells& ignored = mesh.origin().ignored;
     if (ignored.points + ignored.lines + ignored.volumes > 0) {
       stream_ << " (ignored: " << ignored.points << " points, " << ignored.lines << " lines, "
               << ignored.volumes << " volume cells)";
@@ -82,11 +82,12 @@ std::unique_ptr<Report> make_text_report(std::ostream& stream, ReportSource sour
 }
 
 std::string element_title(const std::string& input, const Mesh& mesh, std::size_t i) {
-  const MeshElement& entry = mesh.elements[i];
+  const MeshElement& entry = mesh.elements()[i];
+  const MeshOrigin& origin = mesh.origin();
   std::string text = input;
-  if (entry.line > 0) text += ":" + std::to_string(entry.line);
-  text += ": element " + std::to_string(entry.tag);
-  if (i < mesh.names.size() && !mesh.names[i].empty()) text += " \"" + printable(mesh.names[i], 80) + "\"";
+  if (origin.line(i) > 0) text += ":" + std::to_string(origin.line(i));
+  text += ": element " + std::to_string(origin.number(i));
+  if (!origin.name(i).empty()) text += " \"" + printable(origin.name(i), 80) + "\"";
   const bool triangle = entry.shape.domain == Domain::triangle;
   text += triangle ? " (triangle, degree " : " (quadrilateral, degree ";
   text += std::to_string(entry.shape.degree(0));

@@ -101,7 +101,7 @@ class DomainCheck {
     DomainFailure result;
     result.parameter = t;
     result.point = point;
-    if (surface_.mesh().glued_by_nodes) result.nodes = vertices;
+    if (surface_.mesh().glued_by_nodes()) result.nodes = vertices;
     for (const Departure& departure : departures) {
       const std::uint32_t element = surface_.element(departure.h);
       if (std::find(result.elements.begin(), result.elements.end(), element) == result.elements.end()) {

@@ -11,11 +11,11 @@ Vector2<Rational> difference(const Point& p, const Point& q) { return {q.x - p.x
 }  // namespace
 
 ElementFrame::ElementFrame(const HalfEdges& edges, HalfEdge h) {
-  const MeshElement& element = edges.mesh().elements[edges.element(h)];
+  const MeshElement& element = edges.mesh().elements()[edges.element(h)];
   const Point origin = edges.point(edges.begin_node(h));
   along_ = difference(origin, edges.point(edges.begin_node(edges.next(h))));
   for (std::size_t i = 0; i < coefficient_count(element.shape); ++i) {
-    const auto to = difference(origin, edges.point(edges.mesh().connectivity[element.first_node + i]));
+    const auto to = difference(origin, edges.point(edges.mesh().connectivity()[element.first_node + i]));
     const Rational area = cross(along_, to);
     if (abs(area) <= abs(area_)) continue;
     area_ = area;

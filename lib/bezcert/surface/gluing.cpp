@@ -16,7 +16,7 @@ std::vector<std::uint32_t> begin_vertices(const HalfEdges& edges) {
   const Mesh& mesh = edges.mesh();
   std::vector<std::uint32_t> result(edges.count());
   for (HalfEdge h = 0; h < edges.count(); ++h) result[h] = edges.begin_node(h);
-  if (mesh.glued_by_nodes) return result;
+  if (mesh.glued_by_nodes()) return result;
 
   std::vector<std::uint32_t> nodes = result;
   std::sort(nodes.begin(), nodes.end());
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> begin_vertices(const HalfEdges& edges) {
     const int order = edges.compare_points(a, b);
     return order != 0 ? order < 0 : a < b;
   });
-  std::vector<std::uint32_t> vertex(mesh.x.size());
+  std::vector<std::uint32_t> vertex(mesh.coordinates(0).size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const bool same = i > 0 && edges.compare_points(nodes[i - 1], nodes[i]) == 0;
     vertex[nodes[i]] = same ? vertex[nodes[i - 1]] : nodes[i];
@@ -65,7 +65,7 @@ class Surface::Gluer {
 
   // A counting sort: linear.
   void sort_by_smaller_vertex() {
-    start_.assign(surface_.mesh().x.size() + 2, 0);
+    start_.assign(surface_.mesh().coordinates(0).size() + 2, 0);
     for (HalfEdge h = 0; h < surface_.count(); ++h) ++start_[smaller(h) + 2];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     sorted_.resize(surface_.count());

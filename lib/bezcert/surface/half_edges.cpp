@@ -20,12 +20,12 @@ const BasisChange& segment_change(std::size_t count) {
 ScaledIntegers common_coordinates(const Mesh& mesh, const EdgeNodes& nodes) {
   const auto gather = [&]<class T>(auto number) {
     std::vector<T> all;
-    for (const ExactVector* numbers : {&mesh.x, &mesh.y}) {
+    for (const ExactVector* numbers : {&mesh.coordinates(0), &mesh.coordinates(1)}) {
       for (std::size_t i = 0; i < nodes.size(); ++i) all.push_back(number(*numbers, nodes[i]));
     }
     return scaled_integers(all);
   };
-  if (mesh.x.binary64() && mesh.y.binary64()) {
+  if (mesh.coordinates(0).binary64() && mesh.coordinates(1).binary64()) {
     return gather.operator()<double>(
         [](const ExactVector& from, std::uint32_t i) { return from.doubles()[i]; });
   }
@@ -75,11 +75,11 @@ HalfEdges::TangentSum HalfEdges::tangent_sum(Basis basis, std::size_t count) {
 }
 
 HalfEdges::HalfEdges(const Mesh& mesh) : mesh_(mesh) {
-  shape_.reserve(mesh.elements.size());
+  shape_.reserve(mesh.elements().size());
   std::map<std::pair<Shape, Basis>, std::uint16_t> known;
   const MeshElement* last = nullptr;
   bool triangles = false, quadrilaterals = false;
-  for (const MeshElement& element : mesh.elements) {
+  for (const MeshElement& element : mesh.elements()) {
     const int edges = element.shape.domain == Domain::triangle ? 3 : 4;
     (edges == 3 ? triangles : quadrilaterals) = true;
     count_ += static_cast<std::size_t>(edges);
@@ -103,20 +103,20 @@ HalfEdges::HalfEdges(const Mesh& mesh) : mesh_(mesh) {
     }
   }
   if (shapes_.size() == 1) {
-    stride_ = coefficient_count(mesh.elements[0].shape);
-    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-      if (mesh.elements[i].first_node != i * stride_) stride_ = 0;
+    stride_ = coefficient_count(mesh.elements()[0].shape);
+    for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
+      if (mesh.elements()[i].first_node != i * stride_) stride_ = 0;
     }
   }
   if (!triangles || !quadrilaterals) {
     sides_ = triangles ? 3 : 4;
     return;
   }
-  first_.reserve(mesh.elements.size() + 1);
+  first_.reserve(mesh.elements().size() + 1);
   element_.reserve(count_);
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     first_.push_back(static_cast<HalfEdge>(element_.size()));
-    const std::size_t edges = mesh.elements[i].shape.domain == Domain::triangle ? 3 : 4;
+    const std::size_t edges = mesh.elements()[i].shape.domain == Domain::triangle ? 3 : 4;
     element_.insert(element_.end(), edges, static_cast<std::uint32_t>(i));
   }
   first_.push_back(static_cast<HalfEdge>(count_));
@@ -124,20 +124,20 @@ HalfEdges::HalfEdges(const Mesh& mesh) : mesh_(mesh) {
 
 int HalfEdges::compare_points(std::uint32_t a, std::uint32_t b) const {
   const auto compare = [](const auto& p, const auto& q) { return p == q ? 0 : p < q ? -1 : 1; };
-  if (mesh_.x.binary64() && mesh_.y.binary64()) {
-    const int x = compare(mesh_.x.doubles()[a], mesh_.x.doubles()[b]);
-    return x != 0 ? x : compare(mesh_.y.doubles()[a], mesh_.y.doubles()[b]);
+  if (mesh_.coordinates(0).binary64() && mesh_.coordinates(1).binary64()) {
+    const int x = compare(mesh_.coordinates(0).doubles()[a], mesh_.coordinates(0).doubles()[b]);
+    return x != 0 ? x : compare(mesh_.coordinates(1).doubles()[a], mesh_.coordinates(1).doubles()[b]);
   }
   const Point p = point(a), q = point(b);
   return p.x != q.x ? compare(p.x, q.x) : compare(p.y, q.y);
 }
 
 bool HalfEdges::equal_weights(const EdgeNodes& nodes) const {
-  if (mesh_.weights.empty()) return true;
+  if (mesh_.weights().empty()) return true;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const bool equal = mesh_.weights.binary64()
-                           ? mesh_.weights.doubles()[nodes[i]] == mesh_.weights.doubles()[nodes[0]]
-                           : mesh_.weights.rationals()[nodes[i]] == mesh_.weights.rationals()[nodes[0]];
+    const bool equal = mesh_.weights().binary64()
+                           ? mesh_.weights().doubles()[nodes[i]] == mesh_.weights().doubles()[nodes[0]]
+                           : mesh_.weights().rationals()[nodes[i]] == mesh_.weights().rationals()[nodes[0]];
     if (!equal) return false;
   }
   return true;
@@ -156,7 +156,7 @@ CurveNet<Integer> HalfEdges::exact(HalfEdge h) const {
   net.w.assign(count, unit);
   if (!equal_weights(along)) {
     std::vector<Rational> weights;
-    for (std::size_t i = 0; i < count; ++i) weights.push_back(mesh_.weights[along[i]]);
+    for (std::size_t i = 0; i < count; ++i) weights.push_back(mesh_.weights()[along[i]]);
     const std::vector<Integer> integers = scaled_integers(weights).values;
     for (std::size_t i = 0; i < count; ++i) {
       for (auto* values : {&net.x, &net.y, &net.w}) (*values)[i] *= integers[i];
@@ -176,27 +176,27 @@ CurveNet<Interval> HalfEdges::interval(const RoundUp&, HalfEdge h) const {
   CurveNet<Interval> net;
   if (basis(h) == Basis::lagrange && polynomial) {
     const BasisChange& change = segment_change(count);
-    net.x = relative(mesh_.x, along);
-    net.y = relative(mesh_.y, along);
+    net.x = relative(mesh_.coordinates(0), along);
+    net.y = relative(mesh_.coordinates(1), along);
     change_basis(change, net.x);
     change_basis(change, net.y);
     const Interval unit = to_interval(change.denominator);
-    const Interval x = interval_at(mesh_.x, along[0]), y = interval_at(mesh_.y, along[0]);
+    const Interval x = interval_at(mesh_.coordinates(0), along[0]), y = interval_at(mesh_.coordinates(1), along[0]);
     for (Interval& value : net.x) value = x + value / unit;
     for (Interval& value : net.y) value = y + value / unit;
     net.w.assign(count, Interval(1));
     // The end points are nodes: exact.
     net.x.front() = x;
     net.y.front() = y;
-    net.x.back() = interval_at(mesh_.x, along.back());
-    net.y.back() = interval_at(mesh_.y, along.back());
+    net.x.back() = interval_at(mesh_.coordinates(0), along.back());
+    net.y.back() = interval_at(mesh_.coordinates(1), along.back());
     return net;
   }
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t node = along[i];
-    const Interval w = polynomial ? Interval(1) : interval_at(mesh_.weights, node);
-    net.x.push_back(interval_at(mesh_.x, node) * w);
-    net.y.push_back(interval_at(mesh_.y, node) * w);
+    const Interval w = polynomial ? Interval(1) : interval_at(mesh_.weights(), node);
+    net.x.push_back(interval_at(mesh_.coordinates(0), node) * w);
+    net.y.push_back(interval_at(mesh_.coordinates(1), node) * w);
     net.w.push_back(w);
   }
   if (basis(h) == Basis::lagrange) {
@@ -208,8 +208,8 @@ CurveNet<Interval> HalfEdges::interval(const RoundUp&, HalfEdge h) const {
 Vector2<Interval> HalfEdges::interval_tangent(const RoundUp& up, HalfEdge h, End end) const {
   const EdgeNodes along = end == End::begin ? nodes(h) : nodes(h).reversed();
   const auto to = [&](std::size_t i) {
-    return Vector2<Interval>{difference(mesh_.x, along[i], along[0]),
-                             difference(mesh_.y, along[i], along[0])};
+    return Vector2<Interval>{difference(mesh_.coordinates(0), along[i], along[0]),
+                             difference(mesh_.coordinates(1), along[i], along[0])};
   };
   // The weights of the first two control points only scale it.
   if (basis(h) == Basis::bernstein) return to(1);
@@ -230,12 +230,12 @@ Vector2<Interval> HalfEdges::interval_tangent(const RoundUp& up, HalfEdge h, End
 // The unit is the largest difference. Where it is 0, all are, exactly.
 std::optional<DoubleOperands<std::tuple<double>>> HalfEdges::double_tangent(HalfEdge h, End end,
                                                                             int coordinate) const {
-  const ExactVector& numbers = coordinate == 0 ? mesh_.x : mesh_.y;
+  const ExactVector& numbers = coordinate == 0 ? mesh_.coordinates(0) : mesh_.coordinates(1);
   if (!numbers.binary64()) return std::nullopt;
   const TangentSum& tangent = shapes_[shape_of(element(h))].tangent[static_cast<std::size_t>(edge(h))];
   if (tangent.coefficients.empty()) return std::nullopt;
   const EdgeNodes along = end == End::begin ? nodes(h) : nodes(h).reversed();
-  if (!mesh_.weights.empty() && basis(h) == Basis::lagrange && !equal_weights(along)) return std::nullopt;
+  if (!mesh_.weights().empty() && basis(h) == Basis::lagrange && !equal_weights(along)) return std::nullopt;
   const double* x = numbers.doubles().data();
   const double origin = x[along[0]];
   double unit = 0;

@@ -71,7 +71,7 @@ class HalfEdges {
 
   const Mesh& mesh() const { return mesh_; }
   std::size_t count() const { return count_; }
-  std::size_t element_count() const { return mesh_.elements.size(); }
+  std::size_t element_count() const { return mesh_.elements().size(); }
 
   std::uint32_t element(HalfEdge h) const {
     return sides_ == 3 ? h / 3 : sides_ == 4 ? h / 4 : element_[h];
@@ -96,12 +96,12 @@ class HalfEdges {
   /// The nodes along the edge; control points of it, or nodes that it interpolates.
   EdgeNodes nodes(HalfEdge h) const {
     const std::uint32_t own = element(h);
-    const std::size_t begin = stride_ > 0 ? own * stride_ : mesh_.elements[own].first_node;
-    return {mesh_.connectivity.data() + begin, shapes_[shape_of(own)].along[h - first(own)]};
+    const std::size_t begin = stride_ > 0 ? own * stride_ : mesh_.elements()[own].first_node;
+    return {mesh_.connectivity().data() + begin, shapes_[shape_of(own)].along[h - first(own)]};
   }
   std::uint32_t begin_node(HalfEdge h) const { return nodes(h).front(); }
   Basis basis(HalfEdge h) const { return shapes_[shape_of(element(h))].basis; }
-  Point point(std::uint32_t node) const { return {mesh_.x[node], mesh_.y[node]}; }
+  Point point(std::uint32_t node) const { return {mesh_.coordinates(0)[node], mesh_.coordinates(1)[node]}; }
   /// Compares two nodes by x, then by y: -1, 0, 1. Exact.
   int compare_points(std::uint32_t a, std::uint32_t b) const;
 

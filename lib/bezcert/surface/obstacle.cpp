@@ -44,7 +44,7 @@ void MeshObstacle::add_element(std::uint32_t element) {
 }
 
 void MeshObstacle::add_node(const HalfEdges& half_edges, std::uint32_t node) {
-  if (half_edges.mesh().glued_by_nodes) nodes.push_back(node);
+  if (half_edges.mesh().glued_by_nodes()) nodes.push_back(node);
   points.push_back(half_edges.point(node));
 }
 

@@ -41,7 +41,7 @@ ControlEdges build(std::size_t count, Basis basis) {
   for (std::size_t i = 0; i + 1 < count; ++i) {
     ControlEdges::Sum sum{i, {-1, 1}};
     if (basis == Basis::lagrange) {
-      const BasisChange& change = lagrange_to_bernstein({Domain::segment, static_cast<int>(count) - 1, 0});
+      const BasisChange& change = lagrange_to_bernstein(Shape::segment(static_cast<int>(count) - 1));
       std::vector<Integer> exact(count, 0);
       for (const auto& entry : change.rows[i + 1]) exact[entry.column] += entry.exact;
       for (const auto& entry : change.rows[i]) exact[entry.column] -= entry.exact;
@@ -61,7 +61,7 @@ ControlEdges build(std::size_t count, Basis basis) {
 
 const ControlEdges& control_edges(std::size_t count, Basis basis) {
   static TableCache<ControlEdges> caches[2];
-  return caches[basis == Basis::lagrange].get(Shape{Domain::segment, static_cast<int>(count) - 1, 0},
+  return caches[basis == Basis::lagrange].get(Shape::segment(static_cast<int>(count) - 1),
                                               [&](Shape) { return build(count, basis); });
 }
 
@@ -69,8 +69,8 @@ double size_of(const Vector2<double>& v) { return std::max(std::abs(v.x), std::a
 
 bool runs_along(const HalfEdges& edges, HalfEdge h, const Vector2<double>& d) {
   const EdgeNodes nodes = edges.nodes(h);
-  const double* const x = edges.mesh().x.doubles().data();
-  const double* const y = edges.mesh().y.doubles().data();
+  const double* const x = edges.mesh().coordinates(0).doubles().data();
+  const double* const y = edges.mesh().coordinates(1).doubles().data();
   std::array<double, most_nodes> products;
   double largest = 0;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -92,12 +92,12 @@ bool runs_along(const HalfEdges& edges, HalfEdge h, const Vector2<double>& d) {
 
 bool run_one_way(const HalfEdges& edges, HalfEdge first, HalfEdge second) {
   const Mesh& mesh = edges.mesh();
-  if (!mesh.x.binary64() || !mesh.y.binary64()) return false;
+  if (!mesh.coordinates(0).binary64() || !mesh.coordinates(1).binary64()) return false;
   if (!edges.equal_weights(first) || !edges.equal_weights(second)) return false;
   const EdgeNodes from = edges.nodes(first), to = edges.nodes(second);
   if (from.size() > most_nodes || to.size() > most_nodes) return false;
-  const Vector2<double> d{mesh.x.doubles()[to.back()] - mesh.x.doubles()[from.front()],
-                          mesh.y.doubles()[to.back()] - mesh.y.doubles()[from.front()]};
+  const Vector2<double> d{mesh.coordinates(0).doubles()[to.back()] - mesh.coordinates(0).doubles()[from.front()],
+                          mesh.coordinates(1).doubles()[to.back()] - mesh.coordinates(1).doubles()[from.front()]};
   if (!(size_of(d) < 0x1p900)) return false;
   return runs_along(edges, first, d) && runs_along(edges, second, d);
 }

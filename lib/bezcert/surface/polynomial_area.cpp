@@ -75,12 +75,12 @@ void set_scaled(Integer& to, double x, int e) {
 }  // namespace
 
 bool has_plain_area(const HalfEdges& edges, HalfEdge h) {
-  return edges.mesh().x.binary64() && edges.mesh().y.binary64() && edges.equal_weights(h);
+  return edges.mesh().coordinates(0).binary64() && edges.mesh().coordinates(1).binary64() && edges.equal_weights(h);
 }
 
 Rational plain_area(const HalfEdges& edges, std::span<const HalfEdge> half_edges) {
-  const double* const x = edges.mesh().x.doubles().data();
-  const double* const y = edges.mesh().y.doubles().data();
+  const double* const x = edges.mesh().coordinates(0).doubles().data();
+  const double* const y = edges.mesh().coordinates(1).doubles().data();
   std::optional<int> lowest;
   for (const HalfEdge h : half_edges) {
     const EdgeNodes nodes = edges.nodes(h);

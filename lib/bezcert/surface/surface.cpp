@@ -14,7 +14,7 @@ Surface::Surface(const Mesh& mesh, ObstacleList& obstacles) : HalfEdges(mesh) {
 }
 
 void Surface::sort_corners() {
-  corner_start_.assign(mesh().x.size() + 2, 0);
+  corner_start_.assign(mesh().coordinates(0).size() + 2, 0);
   for (const std::uint32_t vertex : begin_) ++corner_start_[vertex + 2];
   std::partial_sum(corner_start_.begin(), corner_start_.end(), corner_start_.begin());
   corners_.resize(count());

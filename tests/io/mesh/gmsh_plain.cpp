@@ -61,18 +61,18 @@ TEST_CASE("plain lines and others give one mesh") {
         INFO("seed " << seed << " case " << i << " tags from " << first << " by " << step);
         const Mesh plain = read_mesh("plain", strip(seed + i, version_2, "", first, step));
         const Mesh other = read_mesh("other", strip(seed + i, version_2, "+", first, step));
-        REQUIRE(plain.elements.size() == 40);
-        REQUIRE(plain.connectivity == other.connectivity);
-        REQUIRE(plain.node_tags == other.node_tags);
+        REQUIRE(plain.elements().size() == 40);
+        REQUIRE(plain.connectivity() == other.connectivity());
+        REQUIRE(plain.origin().node_tags == other.origin().node_tags);
         for (std::size_t k = 0; k < 45; ++k) {
-          REQUIRE(plain.x[k] == other.x[k]);
-          REQUIRE(plain.y[k] == other.y[k]);
-          REQUIRE(plain.node_tags[k] == first + step * k);
+          REQUIRE(plain.coordinates(0)[k] == other.coordinates(0)[k]);
+          REQUIRE(plain.coordinates(1)[k] == other.coordinates(1)[k]);
+          REQUIRE(plain.origin().node_tags[k] == first + step * k);
         }
         for (std::size_t k = 0; k < 40; ++k) {
-          REQUIRE(plain.elements[k].tag == k + 1);
-          REQUIRE(plain.elements[k].line == other.elements[k].line);
-          REQUIRE(plain.connectivity[plain.elements[k].first_node] == k);
+          REQUIRE(plain.origin().number(k) == k + 1);
+          REQUIRE(plain.origin().line(k) == other.origin().line(k));
+          REQUIRE(plain.connectivity()[plain.elements()[k].first_node] == k);
         }
         ++compared;
       }

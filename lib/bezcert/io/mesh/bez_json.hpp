@@ -1,8 +1,9 @@
-// Our own exact format, .bez.json (docs/formats.md). All numbers mean their exact decimal value, or p/q.
+// Meshes in our own exact format, .bez.json (docs/formats.md). All numbers mean their exact decimal value, or
+// p/q.
 #pragma once
 
-#include "bezcert/curve/input_curve.hpp"
-#include "bezcert/mesh/mesh.hpp"
+#include "bezcert/io/mesh/read.hpp"
+#include "bezcert/mesh/mesh_builder.hpp"
 
 #include <iosfwd>
 #include <string>
@@ -10,11 +11,9 @@
 
 namespace bezcert {
 
-/// Throws InputError. Curves are checked for their form and left out: a mesh has elements only.
-Mesh read_bez_json(const std::string& file, std::string_view bytes);
-
-/// The curves of a file, at least one; it need not have elements, which are not looked at. Throws InputError.
-std::vector<InputCurve> read_bez_json_curves(const std::string& file, std::string_view bytes);
+/// Throws InputError. Curves are checked for their form and left out: a mesh has elements only. Of the
+/// options none matters: the format says all itself.
+MeshBuilder read_bez_json(const std::string& file, std::string_view bytes, const ReadOptions& options);
 
 /// A whole mesh, exactly: the same elements in the same order, the same bases, glued in the same way. Numbers
 /// that the file gave nodes and elements are replaced by places.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bezcert/io/input_error.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -100,19 +100,19 @@ inline void require_refused(std::string_view bytes, const std::string& phrase, s
 
 /// Whether what was read is sound: indices within, coordinates finite, every element can be made.
 inline bool is_sound(const Mesh& mesh) {
-  if (mesh.elements.empty() || mesh.x.size() != mesh.y.size()) return false;
-  if (!mesh.weights.empty() && mesh.weights.size() != mesh.x.size()) return false;
-  for (const ExactVector* numbers : {&mesh.x, &mesh.y, &mesh.weights}) {
+  if (mesh.elements().empty() || mesh.node_count() != mesh.coordinates(1).size()) return false;
+  if (!mesh.weights().empty() && mesh.weights().size() != mesh.node_count()) return false;
+  for (const ExactVector* numbers : {&mesh.coordinates(0), &mesh.coordinates(1), &mesh.weights()}) {
     for (const double value : numbers->doubles()) {
       if (!std::isfinite(value)) return false;
     }
   }
-  for (const std::uint32_t node : mesh.connectivity) {
-    if (node >= mesh.x.size()) return false;
+  for (const std::uint32_t node : mesh.connectivity()) {
+    if (node >= mesh.node_count()) return false;
   }
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    const MeshElement& entry = mesh.elements[i];
-    if (entry.first_node + coefficient_count(entry.shape) > mesh.connectivity.size()) return false;
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
+    const MeshElement& entry = mesh.elements()[i];
+    if (entry.first_node + coefficient_count(entry.shape) > mesh.connectivity().size()) return false;
     if (mesh.element(i).coordinates()[0].size() != coefficient_count(entry.shape)) return false;
   }
   return true;
@@ -120,11 +120,11 @@ inline bool is_sound(const Mesh& mesh) {
 
 /// The points of the i-th element, by rows.
 inline std::vector<std::pair<Rational, Rational>> points_of(const Mesh& mesh, std::size_t i) {
-  const MeshElement& entry = mesh.elements.at(i);
+  const MeshElement& entry = mesh.elements().at(i);
   std::vector<std::pair<Rational, Rational>> points;
   for (std::size_t k = 0; k < coefficient_count(entry.shape); ++k) {
-    const std::uint32_t node = mesh.connectivity.at(entry.first_node + k);
-    points.emplace_back(mesh.x[node], mesh.y[node]);
+    const std::uint32_t node = mesh.connectivity().at(entry.first_node + k);
+    points.emplace_back(mesh.coordinates(0)[node], mesh.coordinates(1)[node]);
   }
   return points;
 }

@@ -14,9 +14,9 @@ namespace {
 // The tiny mesh, whatever the form.
 void require_tiny(const std::string& bytes) {
   const Mesh mesh = read_mesh("form", bytes);
-  REQUIRE(mesh.elements.size() == 2);
-  REQUIRE(mesh.elements[0].tag == 11);
-  REQUIRE(mesh.elements[1].tag == 12);
+  REQUIRE(mesh.elements().size() == 2);
+  REQUIRE(mesh.origin().number(0) == 11);
+  REQUIRE(mesh.origin().number(1) == 12);
   for (std::size_t i = 0; i < 2; ++i) {
     const auto points = points_of(mesh, i);
     const std::size_t nodes[2][3] = {{0, 1, 2}, {0, 2, 3}};
@@ -143,10 +143,10 @@ TEST_CASE("binary forms: blocks of one, parameters, no tags, numbers that look l
       .int32(3)
       .text("\n$EndElements\n");
   const Mesh mesh = read_mesh("words", w.str());
-  CHECK(mesh.x[0] == Rational(word));
-  CHECK(mesh.y[0] == Rational(ends));
-  CHECK(mesh.y[2] == Rational(word));
-  CHECK(mesh.elements[0].tag == 10);
+  CHECK(mesh.coordinates(0)[0] == Rational(word));
+  CHECK(mesh.coordinates(1)[0] == Rational(ends));
+  CHECK(mesh.coordinates(1)[2] == Rational(word));
+  CHECK(mesh.origin().number(0) == 10);
 }
 
 TEST_CASE("planar means one z for the nodes of surface elements, any z") {

@@ -11,7 +11,7 @@
 namespace bezcert::test {
 namespace {
 
-const std::string folder = BEZCERT_SOURCE_DIR "/tests/io/malformed/";
+const std::string folder = BEZCERT_SOURCE_DIR "/tests/io/mesh/malformed/";
 
 struct Expected {
   std::size_t line = 0;

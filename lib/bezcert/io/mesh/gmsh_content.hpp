@@ -1,9 +1,10 @@
 // What the sections of a .msh file say, collected, and the mesh made of it.
 #pragma once
 
-#include "bezcert/io/gmsh_source.hpp"
-#include "bezcert/io/gmsh_types.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/gmsh_source.hpp"
+#include "bezcert/io/mesh/gmsh_types.hpp"
+#include "bezcert/io/mesh/read.hpp"
+#include "bezcert/mesh/mesh_builder.hpp"
 
 #include <map>
 #include <optional>
@@ -38,13 +39,14 @@ class GmshContent {
 
   /// The same for elements of one type, which are there once they are filled.
   struct ElementPlaces {
-    std::span<MeshElement> elements;
+    std::span<std::uint64_t> tags;
+    std::span<std::uint32_t> lines;  // none in a binary file
     std::span<std::uint32_t> nodes;
     std::span<const std::size_t> order;
 
     void set(std::size_t i, std::uint64_t tag, std::size_t line) const {
-      elements[i].tag = tag;
-      elements[i].line = static_cast<std::uint32_t>(line);
+      tags[i] = tag;
+      if (!lines.empty()) lines[i] = static_cast<std::uint32_t>(line);
     }
     /// The k-th node in gmsh's order. False, and the elements are to be dropped, if its tag is too large.
     bool set_node(std::size_t i, std::size_t k, std::uint64_t tag) const {
@@ -62,7 +64,7 @@ class GmshContent {
   };
   /// Nothing if elements have to be added one by one: they are ignored, or there are large tags.
   std::optional<ElementPlaces> begin_elements(const GmshType& type, std::size_t count);
-  void drop_elements(const GmshType& type, std::size_t count);
+  void drop_elements(std::size_t count);
 
   /// Room for so many more, if the file can hold them at all: an announced count may be anything.
   void reserve_nodes(std::uint64_t count);
@@ -81,32 +83,32 @@ class GmshContent {
   bool has_nodes = false;
   bool has_elements = false;
 
-  /// The mesh; checks that nodes exist and that the mesh is planar.
-  Mesh finish();
+  /// All of the mesh; checks that nodes exist and that the mesh is planar.
+  MeshBuilder finish();
 
  private:
   struct NodeIndex;
 
-  // Node tags of elements, in our order: 32 bits each while they fit, and then the mesh's places in the same
-  // memory.
-  void append_tags(std::span<const std::uint64_t> nodes, const std::vector<std::size_t>& order);
-  std::uint64_t tag_at(std::size_t i) const { return wide_.empty() ? mesh_.connectivity[i] : wide_[i]; }
+  // Adds what the file says of the next `count` elements: tags and lines, to be written.
+  void add_origin(ElementPlaces& places, std::size_t count);
 
   const std::vector<std::size_t>& node_order(Shape shape);
   void check_finite(double value, std::uint64_t tag) const;
-  void add_coordinate(ExactVector& to, std::string_view text, std::uint64_t tag);
+  template <class Number>
+  Number coordinate(std::string_view text, std::uint64_t tag) const;
   void add_tag(std::uint64_t tag, std::size_t line);
   void add_line(std::size_t line);
   void add_height(double z);
   // Node tags of elements become places of nodes.
   bool place_consecutive(std::uint64_t first_tag);
   void place_each(const NodeIndex& index);
-  bool same_height(std::uint32_t a, std::uint32_t b) const;
+  void check_height(std::uint32_t node, std::uint32_t first) const;
   std::size_t node_line(std::size_t node) const;
 
   GmshSource& source_;
   ReadOptions options_;
-  Mesh mesh_;
+  // While nodes are not placed, elements have node tags for nodes: 32 bits each while they fit.
+  MeshBuilder builder_;
   ExactVector z_;               // empty while all are flat_
   std::optional<double> flat_;  // the z of all nodes so far, if it is one double
   NodeTags node_tags_;
@@ -114,7 +116,7 @@ class GmshContent {
     std::size_t node, line;
   };
   std::vector<LinesFrom> node_lines_;  // from this node on one line each; none in a binary file
-  std::vector<std::uint64_t> wide_;    // instead of mesh_.connectivity, with tags of more than 32 bits
+  std::vector<std::uint64_t> wide_;    // tags of the nodes of elements, once one has more than 32 bits
   std::map<Shape, std::vector<std::size_t>> orders_;
   const std::vector<std::size_t>* last_order_ = nullptr;
   Shape last_shape_;

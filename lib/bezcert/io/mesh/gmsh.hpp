@@ -5,11 +5,12 @@
 // elements have the same z.
 #pragma once
 
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
+#include "bezcert/mesh/mesh_builder.hpp"
 
 namespace bezcert {
 
 /// Throws InputError.
-Mesh read_gmsh(const std::string& file, std::string_view bytes, const ReadOptions& options);
+MeshBuilder read_gmsh(const std::string& file, std::string_view bytes, const ReadOptions& options);
 
 }  // namespace bezcert

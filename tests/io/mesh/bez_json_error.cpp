@@ -1,5 +1,5 @@
 // .bez.json as it should not be: every defect has its line and its phrase.
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "reading.hpp"
 
 #include <catch2/catch.hpp>

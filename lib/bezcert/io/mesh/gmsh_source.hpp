@@ -3,7 +3,7 @@
 
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/io/line_starts.hpp"
-#include "bezcert/io/read.hpp"
+#include "bezcert/io/mesh/read.hpp"
 
 #include <algorithm>
 #include <cstdint>

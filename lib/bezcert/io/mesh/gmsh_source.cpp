@@ -1,4 +1,4 @@
-#include "bezcert/io/gmsh_source.hpp"
+#include "bezcert/io/mesh/gmsh_source.hpp"
 
 #include "bezcert/io/printable.hpp"
 #include "bezcert/number/interval.hpp"

@@ -1,5 +1,5 @@
 // Sections of .msh version 4.1.
-#include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/mesh/gmsh_content.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -220,7 +220,7 @@ void read_text_elements(GmshSource& source, GmshContent& content, const GmshType
       places->set(i, tag, line_before + 1 + i);
       return places->read_nodes(line, i);
     });
-    if (!read) content.drop_elements(type, size);
+    if (!read) content.drop_elements(size);
     return read;
   };
   read_rounds(block.count, round_size, read_round,
@@ -245,7 +245,7 @@ void read_binary_elements(GmshSource& source, GmshContent& content, const GmshTy
       if (!all) plain = false;
     });
     if (plain) return;
-    content.drop_elements(type, count);
+    content.drop_elements(count);
   }
   std::vector<std::uint64_t> numbers(nodes);
   for (std::size_t i = 0; i < count; ++i) {

@@ -3,6 +3,7 @@
 
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/report/obstacle_text.hpp"
+#include "mesh_parts.hpp"
 
 #include <array>
 #include <map>
@@ -14,7 +15,7 @@ namespace bezcert::test {
 
 /// Nodes and elements in the Bernstein basis. Edges are curves between corner nodes: those with control
 /// points given by `curve` are shared by all elements at the edge, others are straight.
-class MeshBuilder {
+class MeshSketch {
  public:
   using Node = std::uint32_t;
 
@@ -109,17 +110,16 @@ class MeshBuilder {
   /// The mesh, its elements in the given order (all in turn if empty), with points of their own if not
   /// `by_nodes`.
   Mesh build(bool by_nodes = true, const std::vector<std::size_t>& order = {}) const {
-    Mesh mesh;
-    mesh.glued_by_nodes = by_nodes;
-    mesh.numbers = Numbers::decimal;
+    MeshParts mesh;
+    mesh.glued_by_nodes() = by_nodes;
     bool weighted = false;
     for (const Rational& w : w_) weighted = weighted || w != 1;
     std::vector<Node> used;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
       const auto& [shape, nodes] = elements_[order.empty() ? i : order[i]];
-      mesh.elements.push_back({shape, Basis::bernstein, i + 1, 0, mesh.connectivity.size()});
+      mesh.elements().push_back({shape, Basis::bernstein, mesh.connectivity().size()});
       for (const Node one : nodes) {
-        mesh.connectivity.push_back(by_nodes ? one : static_cast<Node>(used.size()));
+        mesh.connectivity().push_back(by_nodes ? one : static_cast<Node>(used.size()));
         used.push_back(one);
       }
     }
@@ -128,11 +128,11 @@ class MeshBuilder {
       for (Node i = 0; i < x_.size(); ++i) used.push_back(i);
     }
     for (const Node one : used) {
-      mesh.x.push_back(x_[one]);
-      mesh.y.push_back(y_[one]);
-      if (weighted) mesh.weights.push_back(w_[one]);
+      mesh.coordinates(0).push_back(x_[one]);
+      mesh.coordinates(1).push_back(y_[one]);
+      if (weighted) mesh.weights().push_back(w_[one]);
     }
-    return mesh;
+    return mesh.build();
   }
 
  private:

@@ -1,5 +1,5 @@
 // Gmsh's node orders and element types against tables that gmsh itself gave.
-#include "bezcert/io/gmsh_types.hpp"
+#include "bezcert/io/mesh/gmsh_types.hpp"
 #include "reading.hpp"
 #include "tiny_mesh.hpp"
 
@@ -80,8 +80,8 @@ TEST_CASE("the reader puts every node in its row and column, orders 1 to 10") {
     INFO("type " << type);
     const Shape shape = shape_of_type(type);
     const Mesh mesh = read_mesh("grid", grid_mesh(type, nodes));
-    REQUIRE(mesh.elements.size() == 1);
-    REQUIRE(mesh.elements[0].shape == shape);
+    REQUIRE(mesh.elements().size() == 1);
+    REQUIRE(mesh.elements()[0].shape == shape);
     const auto points = points_of(mesh, 0);
     REQUIRE(points.size() == nodes.size());
     for (int row = 0; row < row_count(shape); ++row) {
@@ -99,7 +99,7 @@ TEST_CASE("the reader puts every node in its row and column, orders 1 to 10") {
 TEST_CASE("every type that gmsh has is read, ignored or refused by its name") {
   std::map<std::string, std::size_t> outcomes;
   std::set<std::string> messages;
-  for (const auto& row : table_of(BEZCERT_SOURCE_DIR "/tests/io/gmsh_types.tsv", 5)) {
+  for (const auto& row : table_of(BEZCERT_SOURCE_DIR "/tests/io/mesh/gmsh_types.tsv", 5)) {
     const int type = std::stoi(row[0]);
     const int dimension = std::stoi(row[1]);
     const int order = std::stoi(row[2]);
@@ -130,11 +130,11 @@ TEST_CASE("every type that gmsh has is read, ignored or refused by its name") {
       continue;
     }
     const Mesh mesh = read_mesh("types", w.str());
-    REQUIRE(mesh.elements.size() == (dimension == 2 ? 3 : 2));
-    REQUIRE(mesh.elements.back().tag == 12);
-    REQUIRE(mesh.ignored.points == (dimension == 0 ? 1 : 0));
-    REQUIRE(mesh.ignored.lines == (dimension == 1 ? 1 : 0));
-    REQUIRE(mesh.ignored.volumes == (dimension == 3 ? 1 : 0));
+    REQUIRE(mesh.elements().size() == (dimension == 2 ? 3 : 2));
+    REQUIRE(mesh.origin().number(mesh.elements().size() - 1) == 12);
+    REQUIRE(mesh.origin().ignored.points == (dimension == 0 ? 1 : 0));
+    REQUIRE(mesh.origin().ignored.lines == (dimension == 1 ? 1 : 0));
+    REQUIRE(mesh.origin().ignored.volumes == (dimension == 3 ? 1 : 0));
     REQUIRE((dimension != 2 || nodes == complete));
     ++outcomes[dimension == 2 ? "read" : "ignored"];
   }

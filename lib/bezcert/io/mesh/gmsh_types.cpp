@@ -1,4 +1,4 @@
-#include "bezcert/io/gmsh_types.hpp"
+#include "bezcert/io/mesh/gmsh_types.hpp"
 
 #include <algorithm>
 #include <array>

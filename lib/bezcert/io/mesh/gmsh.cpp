@@ -1,6 +1,6 @@
-#include "bezcert/io/gmsh.hpp"
+#include "bezcert/io/mesh/gmsh.hpp"
 
-#include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/mesh/gmsh_content.hpp"
 #include "bezcert/io/printable.hpp"
 #include "bezcert/number/interval.hpp"
 
@@ -41,7 +41,7 @@ int read_format(GmshSource& source) {
 
 }  // namespace
 
-Mesh read_gmsh(const std::string& file, std::string_view bytes, const ReadOptions& options) {
+MeshBuilder read_gmsh(const std::string& file, std::string_view bytes, const ReadOptions& options) {
   GmshSource source(file, bytes);
   GmshContent content(source, options);
   int version = 0;

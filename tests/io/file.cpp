@@ -1,7 +1,7 @@
 // Whole files: reading, SHA-256, writing that is never half done.
 #include "bezcert/io/file.hpp"
 
-#include "reading.hpp"
+#include "mesh/reading.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

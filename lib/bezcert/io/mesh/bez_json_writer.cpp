@@ -1,4 +1,4 @@
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,7 +8,7 @@ namespace bezcert {
 namespace {
 
 // A text as JSON. Names may hold any bytes: what is no UTF-8 is replaced, not thrown at.
-std::string quoted(const std::string& text) {
+std::string quoted(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -65,28 +65,29 @@ void write_bez_json(std::ostream& stream, const Element& element, const std::str
 
 void write_bez_json(std::ostream& stream, const Mesh& mesh) {
   stream << "{\"bezcert\": 1";
-  if (mesh.glued_by_nodes) {
+  if (mesh.glued_by_nodes()) {
     stream << ",\n\"points\": [\n";
-    write_list(stream, mesh.x.size(), ",\n", [&](std::size_t i) { return point_text(mesh.x, mesh.y, i); });
+    write_list(stream, mesh.node_count(), ",\n",
+               [&](std::size_t i) { return point_text(mesh.coordinates(0), mesh.coordinates(1), i); });
     stream << "\n]";
-    if (!mesh.weights.empty()) {
+    if (!mesh.weights().empty()) {
       stream << ",\n\"weights\": [";
-      write_list(stream, mesh.weights.size(), ",\n",
-                 [&](std::size_t i) { return number_text(mesh.weights[i]); });
+      write_list(stream, mesh.weights().size(), ",\n",
+                 [&](std::size_t i) { return number_text(mesh.weights()[i]); });
       stream << ']';
     }
   }
   stream << ",\n\"elements\": [\n";
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    const MeshElement& entry = mesh.elements[i];
+  for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
+    const MeshElement& entry = mesh.elements()[i];
     stream << (i > 0 ? ",\n{" : "{");
-    if (!mesh.names.empty() && !mesh.names[i].empty())
-      stream << "\"name\": " << quoted(mesh.names[i]) << ", ";
+    if (const std::string_view name = mesh.origin().name(i); !name.empty())
+      stream << "\"name\": " << quoted(name) << ", ";
     stream << shape_text(entry.shape, entry.basis);
-    if (mesh.glued_by_nodes) {
+    if (mesh.glued_by_nodes()) {
       stream << ", \"nodes\": [";
       write_list(stream, coefficient_count(entry.shape), ", ",
-                 [&](std::size_t k) { return mesh.connectivity[entry.first_node + k]; });
+                 [&](std::size_t k) { return mesh.connectivity()[entry.first_node + k]; });
       stream << ']';
     } else {
       write_own_points(stream, mesh.element(i));

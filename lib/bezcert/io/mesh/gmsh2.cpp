@@ -1,5 +1,5 @@
 // Sections of .msh version 2.x.
-#include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/mesh/gmsh_content.hpp"
 #include "bezcert/io/printable.hpp"
 
 namespace bezcert {
@@ -138,7 +138,7 @@ bool read_plain_elements(GmshSource& source, GmshContent& content, std::size_t c
     places->set(i, start.tag, line_before + 1 + i);
     return places->read_nodes(line, i);
   });
-  if (!read) content.drop_elements(type, count);
+  if (!read) content.drop_elements(count);
   return read;
 }
 

@@ -132,28 +132,29 @@ enum class Lines { none, version_4, version_2, any };
 void require_is(const Mesh& mesh, const Strip& strip, Lines lines,
                 const std::vector<std::size_t>& others = {}) {
   const std::size_t n = strip.tags.size();
-  REQUIRE(mesh.node_tags.size() == n);
-  REQUIRE(mesh.x.size() == n);
-  REQUIRE(mesh.y.size() == n);
+  REQUIRE(mesh.origin().node_tags.size() == n);
+  REQUIRE(mesh.node_count() == n);
+  REQUIRE(mesh.coordinates(1).size() == n);
   std::size_t wrong_nodes = 0, wrong_elements = 0, wrong_lines = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool right = mesh.node_tags[i] == strip.tags[i] && mesh.x.doubles()[i] == strip.points[i][0] &&
-                       mesh.y.doubles()[i] == strip.points[i][1];
+    const bool right = mesh.origin().node_tags[i] == strip.tags[i] &&
+                       mesh.coordinates(0).doubles()[i] == strip.points[i][0] &&
+                       mesh.coordinates(1).doubles()[i] == strip.points[i][1];
     if (!right) ++wrong_nodes;
   }
-  REQUIRE(mesh.elements.size() == strip.elements.size());
-  REQUIRE(mesh.connectivity.size() == 6 * strip.elements.size());
+  REQUIRE(mesh.elements().size() == strip.elements.size());
+  REQUIRE(mesh.connectivity().size() == 6 * strip.elements.size());
   std::size_t before = 0;
   for (std::size_t i = 0; i < strip.elements.size(); ++i) {
-    const MeshElement& entry = mesh.elements[i];
-    bool right = entry.tag == strip.elements[i][0] && entry.first_node == 6 * i;
-    for (std::size_t k = 0; k < 6; ++k) right = right && mesh.connectivity[6 * i + place[k]] == i + k;
+    const MeshElement& entry = mesh.elements()[i];
+    bool right = mesh.origin().number(i) == strip.elements[i][0] && entry.first_node == 6 * i;
+    for (std::size_t k = 0; k < 6; ++k) right = right && mesh.connectivity()[6 * i + place[k]] == i + k;
     if (!right) ++wrong_elements;
     before += static_cast<std::size_t>(std::count(others.begin(), others.end(), i));
     const std::size_t line = lines == Lines::none        ? 0
                              : lines == Lines::version_4 ? 6 + 2 * n + 4 + i + 1
                                                          : 5 + n + 3 + before + i + 1;
-    if (lines != Lines::any && entry.line != line) ++wrong_lines;
+    if (lines != Lines::any && mesh.origin().line(i) != line) ++wrong_lines;
   }
   CHECK(wrong_nodes == 0);
   CHECK(wrong_elements == 0);
@@ -226,7 +227,7 @@ TEST_CASE("lines that are not plain are read all the same, by threads or not") {
       const Mesh mesh = read_mesh("text", text, options);
       require_is(mesh, strip, i % 3 == 0 ? Lines::version_4 : Lines::any);
       const std::size_t last = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) - 1;
-      CHECK(mesh.elements.back().line == last);
+      CHECK(mesh.origin().line(mesh.elements().size() - 1) == last);
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "bezcert/io/gmsh_content.hpp"
+#include "bezcert/io/mesh/gmsh_content.hpp"
 
 #include "bezcert/io/printable.hpp"
 #include "bezcert/number/parse.hpp"
@@ -24,17 +24,21 @@ void GmshContent::check_finite(double value, std::uint64_t tag) const {
   }
 }
 
-void GmshContent::add_coordinate(ExactVector& to, std::string_view text, std::uint64_t tag) {
-  if (options_.numbers == Numbers::binary64) {
-    if (const auto value = parse_binary64(text)) return to.push_back(*value);
-  } else {
-    if (const auto value = parse_decimal(text)) return to.push_back(*value);
-  }
+template <class Number>
+Number GmshContent::coordinate(std::string_view text, std::uint64_t tag) const {
+  constexpr bool nearest = std::is_same_v<Number, double>;
+  const auto parse = [&] {
+    if constexpr (nearest) {
+      return parse_binary64(text);
+    } else {
+      return parse_decimal(text);
+    }
+  };
+  if (const auto value = parse()) return *value;
   source_.fail(
       "a coordinate of node " + std::to_string(tag) + " is '" + printable(text) +
-      (options_.numbers == Numbers::binary64
-           ? "', expected a finite decimal number in the range of doubles"
-           : "', expected a finite decimal number of at most 20000 characters and exponents up to 5000"));
+      (nearest ? "', expected a finite decimal number in the range of doubles"
+               : "', expected a finite decimal number of at most 20000 characters and exponents up to 5000"));
 }
 
 // The line of the next node.
@@ -67,37 +71,41 @@ void GmshContent::add_height(double z) {
   z_.push_back(z);
 }
 
-bool GmshContent::same_height(std::uint32_t a, std::uint32_t b) const {
-  if (flat_) return true;
-  return z_.binary64() ? z_.doubles()[a] == z_.doubles()[b] : z_.rationals()[a] == z_.rationals()[b];
+void GmshContent::check_height(std::uint32_t node, std::uint32_t first) const {
+  if (flat_) return;
+  const bool same = z_.binary64() ? z_.doubles()[node] == z_.doubles()[first]
+                                  : z_.rationals()[node] == z_.rationals()[first];
+  if (same) return;
+  source_.fail_at(node_line(node),
+                  "the mesh is not planar: node " + std::to_string(node_tags_[node]) +
+                      " has z = " + to_decimal(z_[node]) + ", node " + std::to_string(node_tags_[first]) +
+                      " has z = " + to_decimal(z_[first]) + "; expected a mesh in a plane z = constant");
 }
 
 void GmshContent::add_node(std::uint64_t tag, std::string_view x, std::string_view y, std::string_view z) {
-  add_coordinate(mesh_.x, x, tag);
-  add_coordinate(mesh_.y, y, tag);
   if (binary64()) {
-    ExactVector height;
-    add_coordinate(height, z, tag);
-    add_height(height.doubles()[0]);
-  } else {
-    add_coordinate(z_, z, tag);
+    const auto x_value = coordinate<double>(x, tag), y_value = coordinate<double>(y, tag);
+    return add_node(tag, x_value, y_value, coordinate<double>(z, tag));
   }
+  const auto x_value = coordinate<Rational>(x, tag), y_value = coordinate<Rational>(y, tag);
+  z_.push_back(coordinate<Rational>(z, tag));
+  builder_.add_node({x_value, y_value});
   add_tag(tag, source_.line());
 }
 
 void GmshContent::add_node(std::uint64_t tag, double x, double y, double z) {
   for (const double value : {x, y, z}) check_finite(value, tag);
-  mesh_.x.push_back(x);
-  mesh_.y.push_back(y);
+  builder_.add_node({x, y});
   add_height(z);
   add_tag(tag, source_.line());
 }
 
 std::optional<GmshContent::NodePlaces> GmshContent::begin_nodes(std::size_t count, double z) {
   if (!std::isfinite(z) || (!binary64() && !source_.binary)) return std::nullopt;
-  if (!mesh_.x.binary64() || !mesh_.y.binary64()) return std::nullopt;
   if (!node_tags_.empty() && !(flat_ && *flat_ == z)) return std::nullopt;
-  return NodePlaces{mesh_.x.append_zeros(count), mesh_.y.append_zeros(count), z};
+  const auto places = builder_.append_nodes(count);
+  if (!places) return std::nullopt;
+  return NodePlaces{(*places)[0], (*places)[1], z};
 }
 
 void GmshContent::keep_nodes(const NodeTags& tags, std::size_t first, std::size_t count, std::size_t line,
@@ -109,24 +117,16 @@ void GmshContent::keep_nodes(const NodeTags& tags, std::size_t first, std::size_
   for (std::size_t i = first; i < first + count; ++i) node_tags_.push_back(tags[i]);
 }
 
-void GmshContent::drop_nodes(std::size_t count) {
-  mesh_.x.remove_last(count);
-  mesh_.y.remove_last(count);
-}
+void GmshContent::drop_nodes(std::size_t count) { builder_.drop_nodes(count); }
 
 void GmshContent::reserve_nodes(std::uint64_t count) {
-  if (count > source_.remaining() / 8) return;
-  mesh_.x.reserve(count);
-  mesh_.y.reserve(count);
+  if (count <= source_.remaining() / 8) builder_.reserve_nodes(count);
 }
 
 void GmshContent::reserve_elements(const GmshType& type, std::uint64_t count) {
-  if (type.type_class != GmshClass::surface) return;
-  const auto reserve = [](auto& list, std::size_t more) {
-    if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, list.capacity() * 2));
-  };
-  reserve(mesh_.elements, count);
-  reserve(mesh_.connectivity, count * static_cast<std::size_t>(type.nodes));
+  if (type.type_class == GmshClass::surface) {
+    builder_.reserve_elements(count, static_cast<std::size_t>(type.nodes));
+  }
 }
 
 void GmshContent::check_count(std::uint64_t count, std::size_t bytes, std::string_view what) const {
@@ -160,51 +160,57 @@ const std::vector<std::size_t>& GmshContent::node_order(Shape shape) {
   return order;
 }
 
+void GmshContent::add_origin(ElementPlaces& places, std::size_t count) {
+  const auto append = [count](auto& list) {
+    list.resize(list.size() + count);
+    return std::span(list).last(count);
+  };
+  places.tags = append(builder_.origin().element_tags);
+  if (!source_.binary) places.lines = append(builder_.origin().element_lines);
+}
+
 std::optional<GmshContent::ElementPlaces> GmshContent::begin_elements(const GmshType& type,
                                                                       std::size_t count) {
   if (type.type_class != GmshClass::surface || !wide_.empty()) return std::nullopt;
-  const std::vector<std::size_t>& order = node_order(type.shape);
-  const std::size_t first_node = mesh_.connectivity.size(), first = mesh_.elements.size();
-  mesh_.connectivity.resize(first_node + count * order.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    mesh_.elements.push_back({type.shape, options_.basis, 0, 0, first_node + i * order.size()});
-  }
-  return ElementPlaces{std::span(mesh_.elements).subspan(first),
-                       std::span(mesh_.connectivity).subspan(first_node), order};
+  ElementPlaces places;
+  places.order = node_order(type.shape);
+  places.nodes = builder_.append_elements(type.shape, options_.basis, count);
+  add_origin(places, count);
+  return places;
 }
 
-void GmshContent::drop_elements(const GmshType& type, std::size_t count) {
-  mesh_.elements.resize(mesh_.elements.size() - count);
-  mesh_.connectivity.resize(mesh_.connectivity.size() - count * static_cast<std::size_t>(type.nodes));
+void GmshContent::drop_elements(std::size_t count) {
+  builder_.drop_elements(count);
+  MeshOrigin& origin = builder_.origin();
+  origin.element_tags.resize(origin.element_tags.size() - count);
+  if (!source_.binary) origin.element_lines.resize(origin.element_lines.size() - count);
 }
 
 void GmshContent::add_element(const GmshType& type, std::uint64_t tag, std::span<const std::uint64_t> nodes) {
+  IgnoredCells& ignored = builder_.origin().ignored;
   switch (type.type_class) {
-    case GmshClass::point: ++mesh_.ignored.points; return;
-    case GmshClass::line: ++mesh_.ignored.lines; return;
-    case GmshClass::volume: ++mesh_.ignored.volumes; return;
+    case GmshClass::point: ++ignored.points; return;
+    case GmshClass::line: ++ignored.lines; return;
+    case GmshClass::volume: ++ignored.volumes; return;
     case GmshClass::surface: break;
     default: return;
   }
-  const std::size_t first = wide_.empty() ? mesh_.connectivity.size() : wide_.size();
-  append_tags(nodes, node_order(type.shape));
-  mesh_.elements.push_back(
-      {type.shape, options_.basis, tag, static_cast<std::uint32_t>(source_.line()), first});
-}
-
-void GmshContent::append_tags(std::span<const std::uint64_t> nodes, const std::vector<std::size_t>& order) {
-  const auto append = [&]<class T>(std::vector<T>& to) {
-    const std::size_t first = to.size();
-    to.resize(first + order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) to[first + order[k]] = static_cast<T>(nodes[k]);
-  };
-  if (wide_.empty()) {
-    std::uint64_t all = 0;
-    for (const std::uint64_t tag : nodes) all |= tag;
-    if (all >> 32 == 0) return append(mesh_.connectivity);
-    wide_.assign(mesh_.connectivity.begin(), mesh_.connectivity.end());
+  std::uint64_t all = 0;
+  for (const std::uint64_t node : nodes) all |= node;
+  if (wide_.empty() && all >> 32 != 0) {
+    wide_.assign(builder_.node_indices().begin(), builder_.node_indices().end());
   }
-  append(wide_);
+  ElementPlaces places;
+  places.order = node_order(type.shape);
+  places.nodes = builder_.append_elements(type.shape, options_.basis, 1);
+  add_origin(places, 1);
+  places.set(0, tag, source_.line());
+  for (std::size_t k = 0; k < nodes.size(); ++k) places.set_node(0, k, nodes[k]);
+  if (all >> 32 == 0 && wide_.empty()) return;
+  wide_.resize(wide_.size() + nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    wide_[wide_.size() - nodes.size() + places.order[k]] = nodes[k];
+  }
 }
 
 // From node tag to place: nothing where tags are consecutive, a table where they are dense, a hash where they
@@ -234,7 +240,7 @@ struct GmshContent::NodeIndex {
 // and nothing has changed, if a tag is not a node's.
 bool GmshContent::place_consecutive(std::uint64_t first_tag) {
   if (!wide_.empty() || !flat_) return false;
-  std::vector<std::uint32_t>& nodes = mesh_.connectivity;
+  const std::span<std::uint32_t> nodes = builder_.node_indices();
   const std::size_t count = node_tags_.size();
   std::atomic<bool> known = true;
   run_ranges(options_.executor, nodes.size(), part, [&](std::size_t begin, std::size_t end) {
@@ -251,39 +257,35 @@ bool GmshContent::place_consecutive(std::uint64_t first_tag) {
 
 void GmshContent::place_each(const NodeIndex& index) {
   std::optional<std::uint32_t> first;
-  if (!wide_.empty()) mesh_.connectivity.resize(wide_.size());
-  for (const MeshElement& element : mesh_.elements) {
+  const std::span<std::uint32_t> nodes = builder_.node_indices();
+  for (std::size_t i = 0; i < builder_.elements().size(); ++i) {
+    const MeshElement& element = builder_.elements()[i];
     const std::size_t end = element.first_node + coefficient_count(element.shape);
     for (std::size_t k = element.first_node; k < end; ++k) {
-      const std::uint64_t tag = tag_at(k);
+      const std::uint64_t tag = wide_.empty() ? nodes[k] : wide_[k];
       const std::uint32_t node = index.find(tag);
       if (node == NodeIndex::none) {
-        source_.fail_at(element.line, "element " + std::to_string(element.tag) + " uses node " +
-                                          std::to_string(tag) + ", which $Nodes does not define");
+        source_.fail_at(builder_.origin().line(i), "element " + std::to_string(builder_.origin().number(i)) +
+                                                       " uses node " + std::to_string(tag) +
+                                                       ", which $Nodes does not define");
       }
       if (!first) first = node;
-      if (!same_height(node, *first)) {
-        source_.fail_at(node_line(node), "the mesh is not planar: node " + std::to_string(tag) +
-                                             " has z = " + to_decimal(z_[node]) + ", node " +
-                                             std::to_string(node_tags_[*first]) +
-                                             " has z = " + to_decimal(z_[*first]) +
-                                             "; expected a mesh in a plane z = constant");
-      }
-      mesh_.connectivity[k] = node;
+      check_height(node, *first);
+      nodes[k] = node;
     }
   }
 }
 
-Mesh GmshContent::finish() {
+MeshBuilder GmshContent::finish() {
   if (!has_nodes) source_.fail_at(0, "there is no $Nodes section");
   if (!has_elements) source_.fail_at(0, "there is no $Elements section");
-  if (mesh_.elements.empty()) {
+  MeshOrigin& origin = builder_.origin();
+  if (builder_.elements().empty()) {
     source_.fail_at(
-        0, "there are no triangles or quadrangles (ignored: " + std::to_string(mesh_.ignored.points) +
-               " points, " + std::to_string(mesh_.ignored.lines) + " lines, " +
-               std::to_string(mesh_.ignored.volumes) + " volume cells)");
+        0, "there are no triangles or quadrangles (ignored: " + std::to_string(origin.ignored.points) +
+               " points, " + std::to_string(origin.ignored.lines) + " lines, " +
+               std::to_string(origin.ignored.volumes) + " volume cells)");
   }
-  if (node_tags_.size() >= NodeIndex::none) source_.fail_at(0, "more than 2^32 - 2 nodes are not supported");
 
   NodeIndex index;
   if (node_tags_.consecutive() && !node_tags_.empty()) {
@@ -301,10 +303,9 @@ Mesh GmshContent::finish() {
   }
 
   if (index.consecutive == 0 || !place_consecutive(index.first)) place_each(index);
-  mesh_.basis_name = options_.basis == Basis::lagrange ? "lagrange" : "bernstein";
-  mesh_.numbers = options_.numbers;
-  mesh_.node_tags = std::move(node_tags_);
-  return std::move(mesh_);
+  origin.numbers = options_.numbers;
+  origin.node_tags = std::move(node_tags_);
+  return std::move(builder_);
 }
 
 }  // namespace bezcert

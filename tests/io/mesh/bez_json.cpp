@@ -1,5 +1,5 @@
 // .bez.json as it should be: points, weights, shared nodes, numbers, names, curves, and writing it.
-#include "bezcert/io/bez_json.hpp"
+#include "bezcert/io/mesh/bez_json.hpp"
 #include "random_input.hpp"
 #include "reading.hpp"
 
@@ -88,20 +88,20 @@ TEST_CASE("bez.json elements have their points by rows, their basis, names and e
     { "kind": "quadrilateral", "degree": [2, 1], "basis": "lagrange",
       "points": [[0, 0], [1, 0], [2, 0],
                  [0, 3], [1, 4], [2, 3]] } ] })");
-  REQUIRE(mesh.elements.size() == 2);
-  CHECK(mesh.elements[0].shape == Shape::triangle(2));
-  CHECK(mesh.elements[1].shape == Shape::square(2, 1));
-  CHECK(mesh.elements[0].basis == Basis::bernstein);
-  CHECK(mesh.elements[1].basis == Basis::lagrange);
-  CHECK(mesh.basis_name == "mixed");
-  CHECK(mesh.numbers == Numbers::decimal);
-  CHECK(mesh.elements[0].tag == 1);
-  CHECK(mesh.elements[1].tag == 2);
-  CHECK(mesh.elements[0].line == 3);
-  CHECK(mesh.elements[1].line == 5);
-  CHECK(mesh.names == std::vector<std::string>{"bent \"one\" \xc3\xa9", ""});
-  CHECK(mesh.expected == std::vector<std::string>{"folded", ""});
-  CHECK(mesh.weights.empty());
+  REQUIRE(mesh.elements().size() == 2);
+  CHECK(mesh.elements()[0].shape == Shape::triangle(2));
+  CHECK(mesh.elements()[1].shape == Shape::square(2, 1));
+  CHECK(mesh.elements()[0].basis == Basis::bernstein);
+  CHECK(mesh.elements()[1].basis == Basis::lagrange);
+  CHECK(mesh.origin().basis_name == "mixed");
+  CHECK(mesh.origin().numbers == Numbers::decimal);
+  CHECK(mesh.origin().number(0) == 1);
+  CHECK(mesh.origin().number(1) == 2);
+  CHECK(mesh.origin().line(0) == 3);
+  CHECK(mesh.origin().line(1) == 5);
+  CHECK(mesh.origin().element_names == std::vector<std::string>{"bent \"one\" \xc3\xa9", ""});
+  CHECK(mesh.origin().element_expected == std::vector<std::string>{"folded", ""});
+  CHECK(mesh.weights().empty());
   const Rational half(1, 2);
   const std::vector<std::pair<Rational, Rational>> first = {
       {0, 0}, {half, Rational(-1, 4)}, {1, 0}, {0, half}, {half, half}, {0, 1}};
@@ -115,10 +115,10 @@ TEST_CASE("bez.json elements have their points by rows, their basis, names and e
 TEST_CASE("bez.json reading does not look at the options for .msh") {
   const std::string text = file_of(R"({"kind":"triangle","degree":1,"points":[[0,0],[0.1,0],[0,1]]})");
   const Mesh mesh = read_mesh("t", text, {Basis::lagrange, Numbers::binary64});
-  CHECK(mesh.elements[0].basis == Basis::bernstein);
-  CHECK(mesh.basis_name == "bernstein");
-  CHECK(mesh.numbers == Numbers::decimal);
-  CHECK(mesh.x[1] == Rational(1, 10));
+  CHECK(mesh.elements()[0].basis == Basis::bernstein);
+  CHECK(mesh.origin().basis_name == "bernstein");
+  CHECK(mesh.origin().numbers == Numbers::decimal);
+  CHECK(mesh.coordinates(0)[1] == Rational(1, 10));
 }
 
 TEST_CASE("bez.json weights belong to their points, and elements without have ones") {
@@ -140,9 +140,9 @@ TEST_CASE("bez.json nodes refer to shared points and weights") {
          {"kind":"quadrilateral","degree":[1,1],"nodes":[0,1,3,2]},
          {"kind":"triangle","degree":1,"points":[[5,5],[6,5],[5,6]],"weights":[9,8,7]})";
   const Mesh mesh = read_mesh("t", file_of(elements, shared));
-  REQUIRE(mesh.elements.size() == 4);
-  CHECK(mesh.x.size() == 7);
-  CHECK(mesh.connectivity == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 1, 3, 2, 4, 5, 6});
+  REQUIRE(mesh.elements().size() == 4);
+  CHECK(mesh.node_count() == 7);
+  CHECK(mesh.connectivity() == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 1, 3, 2, 4, 5, 6});
   const Element square = mesh.element(2);
   CHECK(square.weights()[2] == 4);
   CHECK(square.coordinates()[1][2] == 1);
@@ -153,8 +153,8 @@ TEST_CASE("bez.json nodes refer to shared points and weights") {
   const Mesh plain = read_mesh(
       "t",
       R"({"elements":[{"kind":"triangle","degree":1,"nodes":[2,0,1]}],"points":[[0,0],[1,0],[1,1]],"bezcert":1})");
-  CHECK(plain.weights.empty());
-  CHECK(plain.connectivity == std::vector<std::uint32_t>{2, 0, 1});
+  CHECK(plain.weights().empty());
+  CHECK(plain.connectivity() == std::vector<std::uint32_t>{2, 0, 1});
 }
 
 TEST_CASE("bez.json curves are accepted and left out") {
@@ -162,9 +162,9 @@ TEST_CASE("bez.json curves are accepted and left out") {
     {"degree": 2, "points": [["0","0"],["1/2","-1/4"],["1","0"]], "weights": ["1","2","1"]},
     {"degree": 1, "name": "chord", "source": "test", "points": [[0,0],[1,0]]} ],)";
   const Mesh mesh = read_element(R"("kind":"triangle","degree":1,"points":[[0,0],[1,0],[0,1]])", curves);
-  CHECK(mesh.elements.size() == 1);
-  CHECK(mesh.x.size() == 3);
-  CHECK(mesh.ignored.lines == 0);
+  CHECK(mesh.elements().size() == 1);
+  CHECK(mesh.node_count() == 3);
+  CHECK(mesh.origin().ignored.lines == 0);
 }
 
 TEST_CASE("bez.json degrees from 1 to 64 in each direction") {
@@ -178,10 +178,10 @@ TEST_CASE("bez.json degrees from 1 to 64 in each direction") {
     }
     const Mesh mesh = read_element("\"kind\":\"quadrilateral\",\"degree\":[" + std::to_string(p) + "," +
                                    std::to_string(q) + "],\"points\":[" + points + "]");
-    CHECK(mesh.elements[0].shape == Shape::square(p, q));
+    CHECK(mesh.elements()[0].shape == Shape::square(p, q));
     // Row 1, column 0 is behind the p + 1 points of row 0.
-    CHECK(mesh.y[static_cast<std::size_t>(p) + 1] == 1);
-    CHECK(mesh.x[static_cast<std::size_t>(p) + 1] == 0);
+    CHECK(mesh.coordinates(1)[static_cast<std::size_t>(p) + 1] == 1);
+    CHECK(mesh.coordinates(0)[static_cast<std::size_t>(p) + 1] == 0);
     ++seen;
   }
   std::string points;
@@ -223,7 +223,7 @@ TEST_CASE("what write_bez_json writes is read back exactly") {
     write_bez_json(stream, element, name, random.chance(50) ? "made by a test" : "");
     INFO("round " << round << ": " << stream.str());
     const Mesh mesh = read_mesh("written", stream.str());
-    REQUIRE(mesh.elements.size() == 1);
+    REQUIRE(mesh.elements().size() == 1);
     const Element again = mesh.element(0);
     REQUIRE(again.shape() == shape);
     REQUIRE(again.basis() == basis);
@@ -233,7 +233,7 @@ TEST_CASE("what write_bez_json writes is read back exactly") {
       REQUIRE(again.coordinates()[1][i] == y[i]);
       if (!weights.empty()) REQUIRE(again.weights()[i] == weights[i]);
     }
-    REQUIRE(mesh.names == std::vector<std::string>{name});
+    REQUIRE(mesh.origin().element_names == std::vector<std::string>{name});
     triangles += triangle;
     quadrilaterals += !triangle;
     rational += again.rational();
@@ -254,7 +254,7 @@ TEST_CASE("write_bez_json does not fail on names that are no UTF-8") {
       {ExactVector(std::vector<double>{0, 1, 0}), ExactVector(std::vector<double>{0, 0, 1})});
   std::ostringstream stream;
   REQUIRE_NOTHROW(write_bez_json(stream, element, "bad \xff name", "mesh\xe9.msh"));
-  CHECK(read_mesh("written", stream.str()).elements.size() == 1);
+  CHECK(read_mesh("written", stream.str()).elements().size() == 1);
 }
 
 }  // namespace bezcert::test
