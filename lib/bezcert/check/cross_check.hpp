@@ -4,6 +4,7 @@
 #include "bezcert/criterion/criterion.hpp"
 #include "bezcert/decide/decide.hpp"
 #include "bezcert/mesh/mesh.hpp"
+#include "bezcert/number/filter.hpp"
 #include "bezcert/verdict/mesh_verdict.hpp"
 
 #include <functional>

@@ -18,7 +18,7 @@ Verdict coefficients(const Forms& forms) {
     if (signs.corner[corner] > 0) continue;
     verdict.status = Status::refuted;
     verdict.reason = "det J <= 0 at corner " + std::to_string(corner);
-    verdict.witness = make_witness(forms.element(), tree.corner(JacobianTree::root, corner));
+    verdict.witness = make_witness(forms.exact(), tree.corner(JacobianTree::root, corner));
     return verdict;
   }
   verdict.reason = "a Bernstein coefficient of N is negative";

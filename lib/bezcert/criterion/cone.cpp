@@ -15,7 +15,7 @@ class EdgeView {
  public:
   EdgeView(const Net<T>& net, int edge) : net_(net), edge_(edge) {}
 
-  int degree() const { return net_.shape.p; }
+  int degree() const { return net_.shape.degree(0); }
 
   // Row i away from the edge, place j along it.
   std::size_t index(int i, int j) const {
@@ -25,8 +25,10 @@ class EdgeView {
     e[(edge_ + 2) % 3] = i;
     return triangle_index(degree(), e);
   }
-  Vector2<T> homogeneous(int i, int j) const { return {net_.x[index(i, j)], net_.y[index(i, j)]}; }
-  T weight(int i, int j) const { return net_.rational() ? net_.w[index(i, j)] : T(1); }
+  Vector2<T> homogeneous(int i, int j) const {
+    return {net_.coordinates[0][index(i, j)], net_.coordinates[1][index(i, j)]};
+  }
+  T weight(int i, int j) const { return net_.rational() ? net_.weights[index(i, j)] : T(1); }
   T tip_weight() const { return weight(degree(), 0); }
 
   // w_a w_b (p_b - p_a) for any two control points.
@@ -69,7 +71,7 @@ class EdgeView {
 // Checks one edge; the first condition that fails, or nothing.
 class EdgeCheck {
  public:
-  EdgeCheck(const Forms& forms, int edge) : forms_(forms), edge_(edge), n_(forms.element().shape().p) {}
+  EdgeCheck(const Forms& forms, int edge) : forms_(forms), edge_(edge), n_(forms.element().shape().degree(0)) {}
 
   std::optional<std::string> failure() const {
     for (const auto check : {&EdgeCheck::weights, &EdgeCheck::guardable, &EdgeCheck::cones,

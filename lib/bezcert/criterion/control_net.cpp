@@ -18,15 +18,15 @@ Verdict control_net(const Forms& forms) {
     return verdict;
   }
   const Shape shape = element.shape();
-  for (int r = 0; r < shape.p; ++r) {
-    for (int c = 0; c < shape.p - r; ++c) {
+  for (int r = 0; r < shape.degree(0); ++r) {
+    for (int c = 0; c < shape.degree(0) - r; ++c) {
       const std::size_t corner = coefficient_index(shape, r, c);
       const std::size_t right = coefficient_index(shape, r, c + 1);
       const std::size_t up = coefficient_index(shape, r + 1, c);
       const int turn = forms.sign_of([&](const auto& net) { return orientation(net, corner, right, up); });
       if (turn <= 0) {
         verdict.status = Status::inconclusive;
-        verdict.reason = "control triangle " + exponents_text(shape.p, {corner, right, up}) +
+        verdict.reason = "control triangle " + exponents_text(shape.degree(0), {corner, right, up}) +
                          (turn == 0 ? " is degenerate" : " is clockwise");
         return verdict;
       }
@@ -37,9 +37,9 @@ Verdict control_net(const Forms& forms) {
 }
 
 std::optional<Status> quick_control_net(const QuickNet& net) {
-  const Shape shape{Domain::triangle, net.degree(), 0};
-  for (int r = 0; r < shape.p; ++r) {
-    for (int c = 0; c < shape.p - r; ++c) {
+  const Shape shape = Shape::triangle(net.degree());
+  for (int r = 0; r < shape.degree(0); ++r) {
+    for (int c = 0; c < shape.degree(0) - r; ++c) {
       const int turn = net.orientation(coefficient_index(shape, r, c), coefficient_index(shape, r, c + 1),
                                        coefficient_index(shape, r + 1, c));
       if (turn <= 0) return Status::inconclusive;

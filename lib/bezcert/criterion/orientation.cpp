@@ -40,7 +40,7 @@ const Triples& triples_of(Shape shape) {
     Triples result;
     const std::size_t count = coefficient_count(s);
     std::vector<Exponents> exponents;
-    for (std::size_t i = 0; i < count; ++i) exponents.push_back(triangle_exponents(s.p, i));
+    for (std::size_t i = 0; i < count; ++i) exponents.push_back(triangle_exponents(s.degree(0), i));
     for (std::uint16_t a = 0; a < count; ++a) {
       for (auto b = static_cast<std::uint16_t>(a + 1); b < count; ++b) {
         for (auto c = static_cast<std::uint16_t>(b + 1); c < count; ++c) {
@@ -62,7 +62,7 @@ Verdict orientation_condition(const Forms& forms) {
     verdict.reason = "stated for triangles";
     return verdict;
   }
-  const int n = forms.element().shape().p;
+  const int n = forms.element().shape().degree(0);
   const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
     return forms.sign_of([&](const auto& net) { return orientation(net, a, b, c); });
   };
@@ -97,7 +97,7 @@ std::optional<Status> quick_orientation(const QuickNet& net) {
   for (const auto& [a, b, c] : corner_triples(net.degree())) {
     if (net.orientation(a, b, c) <= 0) return Status::inconclusive;
   }
-  for (const auto& [a, b, c] : triples_of({Domain::triangle, net.degree(), 0}).list) {
+  for (const auto& [a, b, c] : triples_of(Shape::triangle(net.degree())).list) {
     if (net.orientation(a, b, c) < 0) return Status::inconclusive;
   }
   return Status::proved;

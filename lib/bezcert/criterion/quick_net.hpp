@@ -34,7 +34,7 @@ class QuickNet {
   bool load(Shape shape, Basis basis, std::span<const double> x, std::span<const double> y,
             std::span<const std::uint32_t> nodes);
 
-  int degree() const { return shape_.p; }
+  int degree() const { return shape_.degree(0); }
   std::size_t count() const { return count_; }
 
   /// The sign of the cross product (i to j) x (k to l), and of the dot product.

@@ -20,10 +20,6 @@
 
 namespace bezcert {
 
-/// One edge of one element, by its number.
-using HalfEdge = std::uint32_t;
-inline constexpr HalfEdge no_half_edge = std::numeric_limits<HalfEdge>::max();
-
 /// Which end of an edge.
 enum class End { begin, end };
 
