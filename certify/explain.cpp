@@ -48,10 +48,11 @@ std::string both(const Rational& value) {
 }
 
 void print_witness(const char* label, const Witness& witness) {
+  const std::string decimal = decimal_text(witness.place), exactly = exact_text(witness.place);
   std::cout << label << "\n  parameter  " << to_string(witness.parameter) << "\n  decimal    "
-            << decimal_text(witness.parameter.values()) << "\n  place      " << decimal_text(witness.place)
-            << " (exactly " << exact_text(witness.place) << ")\n  det J      " << both(witness.determinant)
-            << '\n';
+            << decimal_text(witness.parameter.values()) << "\n  place      " << decimal;
+  if (exactly != decimal) std::cout << " (exactly " << exactly << ")";
+  std::cout << "\n  det J      " << both(witness.determinant) << '\n';
 }
 
 // A zero of det J with algebraic coordinates, in words.

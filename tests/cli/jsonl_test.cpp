@@ -70,7 +70,8 @@ void check_keys(const Json& element, bool named) {
   REQUIRE(keys_of(element) == expected);
   REQUIRE(keys_of(element["min_det"]) == std::vector<std::string>{"lower", "upper"});
   if (!element["witness"].is_null())
-    REQUIRE(keys_of(element["witness"]) == std::vector<std::string>{"parameter", "det", "place", "place_decimal"});
+    REQUIRE(keys_of(element["witness"]) ==
+            std::vector<std::string>{"parameter", "det", "place", "place_decimal"});
 }
 
 // What the file says of an element.

@@ -71,7 +71,8 @@ class EdgeView {
 // Checks one edge; the first condition that fails, or nothing.
 class EdgeCheck {
  public:
-  EdgeCheck(const Forms& forms, int edge) : forms_(forms), edge_(edge), n_(forms.element().shape().degree(0)) {}
+  EdgeCheck(const Forms& forms, int edge)
+      : forms_(forms), edge_(edge), n_(forms.element().shape().degree(0)) {}
 
   std::optional<std::string> failure() const {
     for (const auto check : {&EdgeCheck::weights, &EdgeCheck::guardable, &EdgeCheck::cones,

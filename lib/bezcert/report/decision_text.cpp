@@ -90,8 +90,7 @@ std::string describe(const Decision& decision) {
   if (decision.verdict == ElementVerdict::reversed) text += " (clockwise: det J < 0 everywhere)";
   if (decision.witness) {
     text += ", det J " + determinant_text(decision.witness->determinant) + " at " +
-            to_string(decision.witness->parameter) + ", the point " +
-            decimal_text(decision.witness->place);
+            to_string(decision.witness->parameter) + ", the point " + decimal_text(decision.witness->place);
   }
   if (decision.zero) text += zero_text(*decision.zero);
   if (decision.overlap) {

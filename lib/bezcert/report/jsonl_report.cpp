@@ -175,8 +175,9 @@ class JsonLinesReport : public Report {
     object["criteria"] = criteria;
     object["mesh"] = mesh_object(mesh, report.mesh);
     if (report.domain) object["domain"] = domain_object(source_.curves, mesh, *report.domain);
-    object["ignored"] = {
-        {"points", mesh.origin().ignored.points}, {"lines", mesh.origin().ignored.lines}, {"volumes", mesh.origin().ignored.volumes}};
+    object["ignored"] = {{"points", mesh.origin().ignored.points},
+                         {"lines", mesh.origin().ignored.lines},
+                         {"volumes", mesh.origin().ignored.volumes}};
     object["seconds"] = seconds();
     stream_ << line_of({{"summary", object}});
   }

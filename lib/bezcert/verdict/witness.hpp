@@ -8,8 +8,8 @@
 
 namespace bezcert {
 
-/// A parameter, the exact value of det J there, and the place in the plane that the element maps it to: (x, y),
-/// exactly.
+/// A parameter, the exact value of det J there, and the place in the plane that the element maps it to: (x,
+/// y), exactly.
 struct Witness {
   Parameter parameter;
   Rational determinant;
