@@ -4,6 +4,7 @@
 // Prints the slowest elements, the slowest of each degree, and the time of all relative to the same decision
 // without algebra (subdivision to its full budget, which leaves many of them open).
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/mesh/read.hpp"
 
@@ -61,7 +62,7 @@ int main(int argc, char** argv) {
       row.name = file.stem().stem().string();
       row.degree = element.degree();
       row.kind = std::string(element.rational() ? "rational " : "") + kind_name(element);
-      row.seconds = seconds_of([&] { row.verdict = name(decide(Forms(element)).verdict); });
+      row.seconds = seconds_of([&] { row.verdict = name(decide(element).verdict); });
       row.seconds_without =
           seconds_of([&] { row.without = name(decide(Forms(element), no_algebra).verdict); });
       rows.push_back(std::move(row));

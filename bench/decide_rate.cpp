@@ -199,7 +199,7 @@ Mesh grid_mesh(int degree, std::size_t triangles, bool rational) {
         for (int r = 0; r <= degree; ++r) {
           for (int c = 0; c <= degree - r; ++c) nodes.push_back(node(i0 + sign * c, j0 + sign * r));
         }
-        mesh.add_elements({Domain::triangle, degree, 0}, Basis::bernstein, nodes);
+        mesh.add_elements(Shape::triangle(degree), Basis::bernstein, nodes);
         if (mesh.elements().size() == triangles) return std::move(mesh).build();
       }
     }
@@ -229,7 +229,7 @@ void cost_of_exact() {
       return best_of_runs([&] {
         for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
           const Element element = mesh.element(i);
-          decide(Forms(element, filter));
+          decide(element, filter);
         }
       });
     };

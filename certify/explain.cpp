@@ -1,6 +1,7 @@
 // certify explain: everything known of one element.
 #include "bezcert/check/cross_check.hpp"
 #include "bezcert/criterion/subdivision.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/number/parse.hpp"
@@ -48,7 +49,7 @@ std::string both(const Rational& value) {
 
 std::string decimal_parameter(const Parameter& parameter) {
   std::string text = "(";
-  for (std::size_t i = 0; i < parameter.size(); ++i) text += (i > 0 ? ", " : "") + to_decimal(parameter[i]);
+  for (const Rational& value : parameter.values()) text += (text.size() > 1 ? ", " : "") + to_decimal(value);
   return text + ")";
 }
 
@@ -91,8 +92,8 @@ void print_net(const Element& element) {
   std::size_t i = 0;
   for (int r = 0; r < row_count(element.shape()); ++r) {
     for (int c = 0; c < column_count(element.shape(), r); ++c, ++i) {
-      std::cout << "  row " << r << " column " << c << ": (" << to_decimal(element.x()[i], 17) << ", "
-                << to_decimal(element.y()[i], 17) << ")";
+      std::cout << "  row " << r << " column " << c << ": (" << to_decimal(element.coordinates()[0][i], 17)
+                << ", " << to_decimal(element.coordinates()[1][i], 17) << ")";
       if (element.rational()) std::cout << " weight " << to_decimal(element.weights()[i], 17);
       std::cout << '\n';
     }
@@ -102,8 +103,8 @@ void print_net(const Element& element) {
 // One character a coefficient of N, rows from the last to the first, so that it looks like the domain.
 void print_signs(const Forms& forms) {
   const Polynomial<Integer>& n = forms.exact_jacobian().numerator;
-  std::cout << "signs of the Bernstein coefficients of the Jacobian numerator, degree " << n.shape.p;
-  if (n.shape.domain == Domain::square) std::cout << "x" << n.shape.q;
+  std::cout << "signs of the Bernstein coefficients of the Jacobian numerator, degree " << n.shape.degree(0);
+  if (n.shape.domain == Domain::square) std::cout << "x" << n.shape.degree(1);
   std::cout << " (last row on top)\n";
   for (int r = row_count(n.shape) - 1; r >= 0; --r) {
     std::cout << "  ";
@@ -153,7 +154,7 @@ void print_mesh_obstacles(const Mesh& mesh, std::size_t index, const CheckedElem
       states.push_back(state_of(checked.decision));
     } else {
       const Element other = mesh.element(i);
-      states.push_back(state_of(decide(Forms(other), budget)));
+      states.push_back(state_of(decide(other, budget)));
     }
   }
   const MeshResult result = examine_mesh(mesh, states, {budget.contact, static_cast<std::uint32_t>(index)});

@@ -3,6 +3,7 @@
 
 #include "bezcert/bernstein/polynomial.hpp"
 #include "bezcert/element/element.hpp"
+#include "bezcert/element/parameter.hpp"
 #include "random_input.hpp"
 
 #include <array>
@@ -16,12 +17,12 @@ struct RawElement {
   std::vector<Rational> x, y, w;  ///< w is empty for a polynomial element
 
   Element build() const {
-    return Element(shape, Basis::bernstein, ExactVector(x), ExactVector(y),
+    return Element(shape, Basis::bernstein, {ExactVector(x), ExactVector(y)},
                    w.empty() ? ExactVector() : ExactVector(w));
   }
   std::string text() const {
     std::string result = shape.domain == Domain::triangle ? "triangle " : "square ";
-    result += std::to_string(shape.p) + " " + std::to_string(shape.q) + ":";
+    result += std::to_string(shape.degree(0)) + " " + std::to_string(shape.degree(1)) + ":";
     for (std::size_t i = 0; i < x.size(); ++i) {
       result +=
           " (" + to_string(x[i]) + "," + to_string(y[i]) + (w.empty() ? "" : "," + to_string(w[i])) + ")";
@@ -91,13 +92,14 @@ inline RawElement affine(RawElement element, const std::array<Rational, 6>& m) {
 inline RawElement rotate_corners(const RawElement& e) {
   RawElement result = e;
   const Shape s = e.shape;
-  if (s.domain == Domain::square) std::swap(result.shape.p, result.shape.q);
+  if (s.domain == Domain::square) result.shape = Shape::square(s.degree(1), s.degree(0));
   for (int r = 0; r < row_count(s); ++r) {
     for (int c = 0; c < column_count(s, r); ++c) {
       const std::size_t from = coefficient_index(s, r, c);
       // Triangle: exponents (i, j, k) -> (j, k, i). Square: (u, v) -> (v, 1 - u).
-      const std::size_t to = s.domain == Domain::triangle ? coefficient_index(s, s.p - r - c, r)
-                                                          : coefficient_index(result.shape, s.p - c, r);
+      const std::size_t to = s.domain == Domain::triangle
+                                 ? coefficient_index(s, s.degree(0) - r - c, r)
+                                 : coefficient_index(result.shape, s.degree(0) - c, r);
       result.x[to] = e.x[from];
       result.y[to] = e.y[from];
       if (!e.w.empty()) result.w[to] = e.w[from];
@@ -110,7 +112,7 @@ inline RawElement rotate_corners(const RawElement& e) {
 inline RawElement swap_parameters(const RawElement& e) {
   RawElement result = e;
   const Shape s = e.shape;
-  if (s.domain == Domain::square) std::swap(result.shape.p, result.shape.q);
+  if (s.domain == Domain::square) result.shape = Shape::square(s.degree(1), s.degree(0));
   for (int r = 0; r < row_count(s); ++r) {
     for (int c = 0; c < column_count(s, r); ++c) {
       const std::size_t from = coefficient_index(s, r, c);
@@ -135,7 +137,7 @@ inline RawElement reparametrise(RawElement e, const Rational& a, const Rational&
   for (int row = 0; row < row_count(s); ++row) {
     for (int column = 0; column < column_count(s, row); ++column) {
       Rational factor = power(b, column) * power(c, row);
-      if (s.domain == Domain::triangle) factor *= power(a, s.p - row - column);
+      if (s.domain == Domain::triangle) factor *= power(a, s.degree(0) - row - column);
       e.w[coefficient_index(s, row, column)] *= factor;
     }
   }
@@ -165,10 +167,12 @@ inline RawElement elevate_element(const RawElement& e) {
 /// A random parameter of the closed domain with small denominators.
 inline Parameter random_parameter(Random& random, Domain domain) {
   const long n = random.integer(1, 40);
-  if (domain == Domain::square) return {Rational(random.integer(0, n), n), Rational(random.integer(0, n), n)};
+  if (domain == Domain::square) {
+    return {domain, {Rational(random.integer(0, n), n), Rational(random.integer(0, n), n)}};
+  }
   const long a = random.integer(0, n);
   const long b = random.integer(0, n - a);
-  return {Rational(a, n), Rational(b, n), Rational(n - a - b, n)};
+  return {domain, {Rational(a, n), Rational(b, n), Rational(n - a - b, n)}};
 }
 
 }  // namespace bezcert::test

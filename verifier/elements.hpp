@@ -36,7 +36,7 @@ class Elements {
   int corner_count(std::size_t i) const { return shapes_[i].triangle ? 3 : 4; }
   bool lagrange(std::size_t i) const { return shapes_[i].lagrange; }
   /// Whether corners are one vertex by common nodes; else by equal points.
-  bool glued_by_nodes() const { return glued_by_nodes_; }
+  bool is_glued_by_nodes() const { return glued_by_nodes_; }
   std::size_t edge_degree(std::size_t i, std::size_t e) const {
     return e % 2 == 0 ? shapes_[i].p : shapes_[i].q;
   }

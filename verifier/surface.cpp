@@ -12,7 +12,7 @@ Surface::Surface(const Elements& of) : elements(of) {
   std::map<Point, Index> points;
   for (std::size_t i = 0; i < elements.count(); ++i) {
     begin_line();  // what is done for every element, or edge, has the limit of a line each time
-    const bool by_nodes = elements.glued_by_nodes();
+    const bool by_nodes = elements.is_glued_by_nodes();
     const Element e = by_nodes ? Element{} : elements.element(i);
     for (std::size_t k = 0; k < static_cast<std::size_t>(elements.corner_count(i)); ++k) {
       const Use u = uses.emplace_back(static_cast<Use>(4 * i + k));

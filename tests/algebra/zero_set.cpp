@@ -318,8 +318,8 @@ TEST_CASE("random polynomials: the answer does not depend on the position and fi
     if (random.chance(30)) f = square(f) + square(random_bivariate(random, 1, 1, 4));
     if (f.is_zero()) continue;
     for (const auto& [h, multiplicity] : irreducible_factors(f)) {
-      INFO("seed " << seed << " case " << i << " domain " << static_cast<int>(domain) << " degrees "
-                   << h.degree_u() << " " << h.degree_v());
+      INFO("seed " << seed << " case " << i << " domain " << (domain == triangle ? "triangle" : "square")
+                   << " degrees " << h.degree_u() << " " << h.degree_v());
       for (const Univariate& row : h.by_v) UNSCOPED_INFO(to_string(row, "u"));
       const ZeroSet zeros = zero_set(h, domain, whole, whole);
       for (const PlanarPoint& zero : zeros.zeros) check_zero(h, domain, zero, {});

@@ -3,6 +3,7 @@
 #include "batch/hostile_mesh.hpp"
 
 #include "bezcert/decide/injectivity.hpp"
+#include "bezcert/element/forms.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -44,8 +45,8 @@ struct Seen {
 
 std::string show(const DoubleNet& net) {
   std::ostringstream text;
-  text << (net.shape.domain == Domain::triangle ? "triangle " : "square ") << net.shape.p << " "
-       << net.shape.q << (net.basis == Basis::lagrange ? " lagrange" : " bernstein") << std::hexfloat;
+  text << (net.shape.domain == Domain::triangle ? "triangle " : "square ") << net.shape.degree(0) << " "
+       << net.shape.degree(1) << (net.basis == Basis::lagrange ? " lagrange" : " bernstein") << std::hexfloat;
   for (std::size_t i = 0; i < net.x.size(); ++i) {
     text << " (" << net.x[i] << "," << net.y[i];
     if (!net.w.empty()) text << "," << net.w[i];
@@ -77,7 +78,7 @@ void check(const DoubleNet& net, Seen& seen) {
     return;
   }
   // The hull test is the expensive one: of every degree, but not always.
-  if (net.shape.p <= 3 && net.shape.q <= 2 && seen.settled % 4 == 0) {
+  if (net.shape.degree(0) <= 3 && net.shape.degree(1) <= 2 && seen.settled % 4 == 0) {
     ++seen.hull;
     const auto proof = prove_injective(Forms(element, Filter::off));
     if (proof != (table->midpoint ? InjectivityProof::midpoint : InjectivityProof::jacobian_hull)) {

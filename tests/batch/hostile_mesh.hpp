@@ -46,10 +46,10 @@ inline double unit(Random& random) {
 inline Shape random_shape(Random& random, bool rational) {
   // Exact arithmetic, which the answers are compared with, grows fast with the degree.
   const int highest = random.chance(90) ? 3 : 6;
-  if (rational) return {Domain::triangle, static_cast<int>(random.integer(1, 3)), 0};
-  if (random.chance(70)) return {Domain::triangle, static_cast<int>(random.integer(1, highest)), 0};
+  if (rational) return Shape::triangle(static_cast<int>(random.integer(1, 3)));
+  if (random.chance(70)) return Shape::triangle(static_cast<int>(random.integer(1, highest)));
   const auto degree = [&] { return static_cast<int>(random.integer(1, highest == 3 ? 2 : 4)); };
-  return {Domain::square, degree(), degree()};
+  return Shape::square(degree(), degree());
 }
 
 /// The identity, its points moved by up to `noise` of their distance.

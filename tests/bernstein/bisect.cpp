@@ -45,7 +45,7 @@ TEST_CASE("halves of integer polynomials are the restrictions, times the stated 
       const auto [first, second] = bisect(f, direction);
       const int shift = bisection_shift<Integer>(shape, direction);
       INFO("seed " << seed << ", " << show(shape) << ", direction " << direction);
-      CHECK(shift == (shape.domain == Domain::square && direction == 1 ? shape.q : shape.p));
+      CHECK(shift == (shape.domain == Domain::square && direction == 1 ? shape.degree(1) : shape.degree(0)));
       if (first.shape != shape || second.shape != shape) FAIL("shape");
       for (int k = 0; k < 4; ++k) {
         const auto at = random_parameter(random, shape.domain);
@@ -84,7 +84,7 @@ TEST_CASE("halves are the parts of split at 1/2, with the corners of a triangle 
           // Exponents (i, c, r) belong to (C, A, M) of the first half, to (B, C, M) of the second; the parts
           // of split are over (A, M, C) and (M, B, C), where row = exponent of the third corner, column of
           // the second.
-          const int i = shape.p - r - c;
+          const int i = shape.degree(0) - r - c;
           if (a != factor * lower.at(i, r)) FAIL("first half, row " << r << ", column " << c);
           if (b != factor * upper.at(c, i)) FAIL("second half, row " << r << ", column " << c);
         }
@@ -133,7 +133,7 @@ TEST_CASE("halves of interval polynomials contain the exact halves, without shif
 
 TEST_CASE("bisecting twice keeps the rotation: the second cut starts at the middle of the first") {
   // Over (A, B, C) the linear polynomials xi_0, xi_1, xi_2 name the corners.
-  const Shape linear{Domain::triangle, 1, 0};
+  const Shape linear = Shape::triangle(1);
   const auto corners_after = [&](bool first_cut, bool second_cut) {
     std::vector<std::vector<Rational>> corners(3);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -30,13 +30,13 @@ inline std::vector<Rational> powers(const Rational& x, int n) {
 inline std::vector<Rational> basis_values(Shape shape, const std::vector<Rational>& at) {
   std::vector<Rational> values;
   if (shape.domain == Domain::triangle) {
-    const auto x = powers(at[0], shape.p);
-    const auto y = powers(at[1], shape.p);
-    const auto z = powers(at[2], shape.p);
-    for (int k = 0; k <= shape.p; ++k) {
-      for (int j = 0; j + k <= shape.p; ++j) {
-        const int i = shape.p - j - k;
-        const Integer factor = factorial(shape.p) / (factorial(i) * factorial(j) * factorial(k));
+    const auto x = powers(at[0], shape.degree(0));
+    const auto y = powers(at[1], shape.degree(0));
+    const auto z = powers(at[2], shape.degree(0));
+    for (int k = 0; k <= shape.degree(0); ++k) {
+      for (int j = 0; j + k <= shape.degree(0); ++j) {
+        const int i = shape.degree(0) - j - k;
+        const Integer factor = factorial(shape.degree(0)) / (factorial(i) * factorial(j) * factorial(k));
         values.push_back(Rational(factor) * x[static_cast<std::size_t>(i)] * y[static_cast<std::size_t>(j)] *
                          z[static_cast<std::size_t>(k)]);
       }
@@ -53,9 +53,9 @@ inline std::vector<Rational> basis_values(Shape shape, const std::vector<Rationa
     }
     return result;
   };
-  const auto along_u = line(shape.p, at[0]);
+  const auto along_u = line(shape.degree(0), at[0]);
   if (shape.domain == Domain::segment) return along_u;
-  for (const Rational& b : line(shape.q, at[1])) {
+  for (const Rational& b : line(shape.degree(1), at[1])) {
     for (const Rational& a : along_u) values.push_back(a * b);
   }
   return values;
@@ -115,9 +115,9 @@ inline Polynomial<Rational> as_rational(const Polynomial<Integer>& f) {
 inline std::vector<Shape> all_shapes(int highest) {
   std::vector<Shape> shapes;
   for (int p = 0; p <= highest; ++p) {
-    shapes.push_back({Domain::segment, p, 0});
-    shapes.push_back({Domain::triangle, p, 0});
-    for (int q = 0; q <= highest; ++q) shapes.push_back({Domain::square, p, q});
+    shapes.push_back(Shape::segment(p));
+    shapes.push_back(Shape::triangle(p));
+    for (int q = 0; q <= highest; ++q) shapes.push_back(Shape::square(p, q));
   }
   return shapes;
 }
@@ -126,7 +126,7 @@ inline std::string show(Shape shape) {
   const char* name = shape.domain == Domain::segment    ? "segment"
                      : shape.domain == Domain::triangle ? "triangle"
                                                         : "square";
-  return std::string(name) + " " + std::to_string(shape.p) + "," + std::to_string(shape.q);
+  return std::string(name) + " " + std::to_string(shape.degree(0)) + "," + std::to_string(shape.degree(1));
 }
 
 inline std::string show(const std::vector<Rational>& numbers) {

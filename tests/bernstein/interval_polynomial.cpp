@@ -74,7 +74,7 @@ TEST_CASE("operations on interval polynomials contain the exact ones and stay na
     const auto [first_interval, second_interval] = split(fi, to_interval(t), direction);
     check(first_interval, first, "split, first part");
     check(second_interval, second, "split, second part");
-    if ((direction == 1 ? shape.q : shape.p) > 0) {
+    if ((direction == 1 ? shape.degree(1) : shape.degree(0)) > 0) {
       check(differentiate(fi, direction), differentiate(f, direction), "differentiate");
     }
   }

@@ -16,10 +16,10 @@ std::vector<Integer> expected_multinomials(Shape shape) {
   std::vector<Integer> result;
   for (int r = 0; r < row_count(shape); ++r) {
     for (int c = 0; c < column_count(shape, r); ++c) {
-      result.push_back(
-          shape.domain == Domain::triangle
-              ? Integer(factorial(shape.p) / (factorial(c) * factorial(r) * factorial(shape.p - r - c)))
-              : Integer(choose(shape.p, c) * choose(shape.q, r)));
+      result.push_back(shape.domain == Domain::triangle
+                           ? Integer(factorial(shape.degree(0)) /
+                                     (factorial(c) * factorial(r) * factorial(shape.degree(0) - r - c)))
+                           : Integer(choose(shape.degree(0), c) * choose(shape.degree(1), r)));
     }
   }
   return result;
@@ -49,7 +49,8 @@ TEST_CASE("multinomials are degree! / m!, and sum to the number of words") {
     Integer sum = 0;
     for (const Integer& factor : factors) sum += factor;
     Integer words = 1;
-    for (int k = 0; k < shape.p + shape.q; ++k) words *= shape.domain == Domain::triangle ? 3 : 2;
+    for (int k = 0; k < shape.degree(0) + shape.degree(1); ++k)
+      words *= shape.domain == Domain::triangle ? 3 : 2;
     CHECK(sum == words);
   }
 }
@@ -92,8 +93,8 @@ TEST_CASE("scaled coefficients multiply by convolution") {
 
 TEST_CASE("scale tables: the least common multiple, cofactors, and intervals that contain them") {
   std::vector<Shape> shapes = all_shapes(7);
-  shapes.push_back({Domain::triangle, 27, 0});
-  shapes.push_back({Domain::square, 28, 28});
+  shapes.push_back(Shape::triangle(27));
+  shapes.push_back(Shape::square(28, 28));
   for (const Shape shape : shapes) {
     const ScaleTable& table = scale_table(shape);
     const auto factors = expected_multinomials(shape);

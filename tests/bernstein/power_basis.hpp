@@ -31,8 +31,8 @@ inline PowerForm power_form(const Polynomial<Rational>& f) {
   const PowerForm one_minus_u{{{0, 0}, Rational(1)}, {{1, 0}, Rational(-1)}};
   const PowerForm one_minus_v{{{0, 0}, Rational(1)}, {{0, 1}, Rational(-1)}};
   const PowerForm first{{{0, 0}, Rational(1)}, {{1, 0}, Rational(-1)}, {{0, 1}, Rational(-1)}};
-  const int p = f.shape.p;
-  const int q = f.shape.q;
+  const int p = f.shape.degree(0);
+  const int q = f.shape.degree(1);
   PowerForm sum;
   for (int r = 0; r < row_count(f.shape); ++r) {
     for (int c = 0; c < column_count(f.shape, r); ++c) {

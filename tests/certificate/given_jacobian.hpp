@@ -25,8 +25,9 @@ inline Rational falling(int n, int k) {
 inline Rational monomial_coefficient(Shape shape, int i, int k, int c, int r) {
   if (i > c || k > r) return 0;
   const Rational part = falling(c, i) * falling(r, k);
-  return shape.domain == Domain::triangle ? Rational(part / falling(shape.p, i + k))
-                                          : Rational(part / (falling(shape.p, i) * falling(shape.q, k)));
+  return shape.domain == Domain::triangle
+             ? Rational(part / falling(shape.degree(0), i + k))
+             : Rational(part / (falling(shape.degree(0), i) * falling(shape.degree(1), k)));
 }
 
 inline Element element_with(const Bivariate& f, Domain domain) {
@@ -51,22 +52,22 @@ inline Element element_with(const Bivariate& f, Domain domain) {
       y.push_back(std::move(sum));
     }
   }
-  return Element(shape, Basis::bernstein, ExactVector(std::move(x)), ExactVector(std::move(y)));
+  return Element(shape, Basis::bernstein, {ExactVector(std::move(x)), ExactVector(std::move(y))});
 }
 
 /// What the verifier says of a claim for an element whose N is f times a positive constant: "" if it accepts.
 inline std::string refusal(const Bivariate& f, Domain domain, const std::string& claim) {
   const Element element = element_with(f, domain);
-  const std::size_t count = element.x().size();
+  const std::size_t count = element.coordinates()[0].size();
   std::vector<Rational> all;
-  for (const ExactVector* numbers : {&element.x(), &element.y()}) {
+  for (const ExactVector* numbers : {&element.coordinates()[0], &element.coordinates()[1]}) {
     for (std::size_t i = 0; i < count; ++i) all.push_back((*numbers)[i]);
   }
   const ScaledIntegers scaled = scaled_integers(all);
   verifier::Element other;
   other.triangle = element.is_triangle();
-  other.p = element.shape().p;
-  other.q = other.triangle ? other.p : element.shape().q;
+  other.p = element.shape().degree(0);
+  other.q = other.triangle ? other.p : element.shape().degree(1);
   other.lagrange = other.rational = false;
   other.unit = mpz_class(Integer(denominator(scaled.scale)).str());
   for (std::size_t i = 0; i < count; ++i) {

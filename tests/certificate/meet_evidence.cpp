@@ -1,6 +1,7 @@
 // Evidence that curves meet, checked by the verifier, which was written from the specification alone.
 #include "bezcert/certificate/meet_evidence.hpp"
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/mesh/read.hpp"
 #include "rules.hpp"

@@ -66,7 +66,7 @@ Outcome outcome_of(const Mesh& mesh) {
   std::vector<verifier::Claim> claims;
   for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     const Element element = mesh.element(i);
-    const ElementVerdict verdict = decide(Forms(element)).verdict;
+    const ElementVerdict verdict = decide(element).verdict;
     claims.push_back(claim_of(verdict));
     states.push_back(is_invalid(verdict)                    ? ElementState::invalid
                      : verdict == ElementVerdict::injective ? ElementState::injective

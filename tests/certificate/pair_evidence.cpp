@@ -2,6 +2,7 @@
 #include "bezcert/certificate/pair_evidence.hpp"
 #include "bezcert/curve/same_curve.hpp"
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/mesh/read.hpp"
 #include "random_input.hpp"

@@ -2,6 +2,7 @@
 // The polynomials are such that their signs are known: sums of squares and their like.
 #include "bezcert/certificate/sign_evidence.hpp"
 #include "bezcert/certificate/zero_evidence.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/mesh/read.hpp"
 #include "given_jacobian.hpp"
@@ -19,8 +20,8 @@ namespace {
 // The claim without injectivity: its sign, and its zero.
 std::optional<std::string> claim_of(const Forms& forms, const Decision& decision) {
   const auto at = [](const Witness& witness) {
-    const Parameter& p = witness.parameter;
-    return to_string(p[p.size() - 2]) + ' ' + to_string(p[p.size() - 1]);
+    const std::vector<Rational> uv = witness.parameter.affine();
+    return to_string(uv[0]) + ' ' + to_string(uv[1]);
   };
   std::optional<std::string> sign, zero;
   switch (decision.verdict) {

@@ -1,5 +1,6 @@
 // A contradiction ends in the right place: of a claimed criterion in a finding, of a sound one in exit code 4
 // and a reproducer. The second must never happen, so the test brings a false "theorem" of its own.
+#include "bezcert/element/forms.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/mesh/read.hpp"
 #include "check.hpp"

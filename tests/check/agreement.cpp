@@ -3,6 +3,8 @@
 #include "bezcert/check/cross_check.hpp"
 #include "random_element.hpp"
 
+#include "bezcert/element/map.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <map>
@@ -23,7 +25,7 @@ struct Tally {
 // det J at random parameters, evaluated directly, must have a sign the verdict allows.
 bool samples_agree(Random& random, const Element& element, ElementVerdict verdict) {
   for (int k = 0; k < 6; ++k) {
-    const int s = sign(jacobian_determinant(element, random_parameter(random, element.shape().domain)));
+    const int s = sign(evaluate_map(element, random_parameter(random, element.shape().domain)).determinant);
     if (is_regular(verdict) && s <= 0) return false;
     if (verdict == ElementVerdict::degenerate && s < 0) return false;
     if (verdict == ElementVerdict::reversed && s >= 0) return false;
@@ -32,7 +34,7 @@ bool samples_agree(Random& random, const Element& element, ElementVerdict verdic
 }
 
 bool evidence_holds(const Element& element, const Decision& decision) {
-  const auto det = [&](const Witness& w) { return jacobian_determinant(element, w.parameter); };
+  const auto det = [&](const Witness& w) { return evaluate_map(element, w.parameter).determinant; };
   switch (decision.verdict) {
     case ElementVerdict::folded:
       return decision.witness && det(*decision.witness) < 0 && decision.other_witness &&

@@ -27,9 +27,9 @@ Mesh squares(std::int64_t n, std::size_t reversed = 0) {
       const std::int64_t a = r * (n + 1) + c, d = a + n + 1;
       const bool turned = reversed > 0 && place++ % reversed == 0;
       if (turned) {
-        builder.add_element({Domain::square, 1, 1}, Basis::lagrange, {a, d, a + 1, d + 1});
+        builder.add_element(Shape::square(1, 1), Basis::lagrange, {a, d, a + 1, d + 1});
       } else {
-        builder.add_element({Domain::square, 1, 1}, Basis::lagrange, {a, a + 1, d, d + 1});
+        builder.add_element(Shape::square(1, 1), Basis::lagrange, {a, a + 1, d, d + 1});
       }
     }
   }

@@ -1,6 +1,7 @@
 // A mesh's decisions are those of its elements alone, with and without filters, in every part that a report
 // shows.
 #include "batch/hostile_mesh.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/report/decision_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +16,7 @@ std::string text(const Dyadic& d) { return std::to_string(d.mantissa) + "*2^" + 
 std::string text(const std::optional<Witness>& witness) {
   if (!witness) return "-";
   std::string result;
-  for (const Rational& p : witness->parameter) result += to_string(p) + " ";
+  for (const Rational& p : witness->parameter.values()) result += to_string(p) + " ";
   return result + to_string(witness->determinant);
 }
 
@@ -110,6 +111,6 @@ TEST_CASE("MeshDecider decides a part of a mesh as the whole, whatever the windo
 }
 
 TEST_CASE("no mesh can be made of what an element refuses") {
-  DoubleNet net{{Domain::triangle, 1, 0}, Basis::bernstein, {0, 1, 0}, {0, 0, 1}, {1, -1, 2}};
+  DoubleNet net{Shape::triangle(1), Basis::bernstein, {0, 1, 0}, {0, 0, 1}, {1, -1, 2}};
   CHECK_THROWS_AS(mesh_of(net), std::invalid_argument);
 }

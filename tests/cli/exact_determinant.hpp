@@ -57,7 +57,10 @@ struct DualPoint {
   Dual x, y;
 };
 
-inline DualPoint exact_map(const Element& element, const Parameter& parameter) {
+/// The values of a parameter as reports show them.
+using Values = std::vector<Rational>;
+
+inline DualPoint exact_map(const Element& element, const Values& parameter) {
   const Shape shape = element.shape();
   const auto function = element.basis() == Basis::bernstein ? bernstein_function : lagrange_function;
   const bool triangle = shape.domain == Domain::triangle;
@@ -66,22 +69,22 @@ inline DualPoint exact_map(const Element& element, const Parameter& parameter) {
   const Dual minus = constant(-1);
   Dual x = constant(0), y = constant(0), w = constant(0);
   std::size_t i = 0;
-  for (int r = 0; r <= (triangle ? shape.p : shape.q); ++r) {
-    for (int c = 0; c <= (triangle ? shape.p - r : shape.p); ++c, ++i) {
-      const Dual basis = triangle
-                             ? function({constant(1) + minus * u + minus * v, u, v}, {shape.p - r - c, c, r})
-                             : function({constant(1) + minus * u, u}, {shape.p - c, c}) *
-                                   function({constant(1) + minus * v, v}, {shape.q - r, r});
+  for (int r = 0; r <= (triangle ? shape.degree(0) : shape.degree(1)); ++r) {
+    for (int c = 0; c <= (triangle ? shape.degree(0) - r : shape.degree(0)); ++c, ++i) {
+      const Dual basis =
+          triangle ? function({constant(1) + minus * u + minus * v, u, v}, {shape.degree(0) - r - c, c, r})
+                   : function({constant(1) + minus * u, u}, {shape.degree(0) - c, c}) *
+                         function({constant(1) + minus * v, v}, {shape.degree(1) - r, r});
       const Dual weighted = basis * constant(element.weights().empty() ? Rational(1) : element.weights()[i]);
-      x = x + weighted * constant(element.x()[i]);
-      y = y + weighted * constant(element.y()[i]);
+      x = x + weighted * constant(element.coordinates()[0][i]);
+      y = y + weighted * constant(element.coordinates()[1][i]);
       w = w + weighted;
     }
   }
   return {x / w, y / w};
 }
 
-inline Rational exact_determinant(const Element& element, const Parameter& parameter) {
+inline Rational exact_determinant(const Element& element, const Values& parameter) {
   const DualPoint point = exact_map(element, parameter);
   return point.x.u * point.y.v - point.x.v * point.y.u;
 }

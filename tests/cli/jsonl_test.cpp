@@ -82,15 +82,15 @@ void check_identity(const Json& object, const Mesh& mesh, std::size_t i, const E
   CHECK(object["rational"] == element.rational());
   if (element.is_triangle()) {
     CHECK(object["kind"] == "triangle");
-    CHECK(object["degree"] == entry.shape.p);
+    CHECK(object["degree"] == entry.shape.degree(0));
   } else {
     CHECK(object["kind"] == "quadrilateral");
-    CHECK(object["degree"] == Json({entry.shape.p, entry.shape.q}));
+    CHECK(object["degree"] == Json({entry.shape.degree(0), entry.shape.degree(1)}));
   }
   if (object.contains("name")) CHECK(object["name"] == std::string(mesh.origin().name(i)));
 }
 
-bool in_domain(const Element& element, const Parameter& parameter) {
+bool in_domain(const Element& element, const Values& parameter) {
   if (parameter.size() != (element.is_triangle() ? 3U : 2U)) return false;
   Rational sum = 0;
   for (const Rational& value : parameter) {
@@ -100,7 +100,7 @@ bool in_domain(const Element& element, const Parameter& parameter) {
   return !element.is_triangle() || sum == 1;
 }
 
-Parameter random_parameter(const Element& element, Random& random) {
+Values random_parameter(const Element& element, Random& random) {
   if (!element.is_triangle()) return {random.rational(0, 1, 12), random.rational(0, 1, 12)};
   const long a = random.integer(0, 12);
   const long b = random.integer(0, 12 - a);
@@ -134,7 +134,7 @@ void check_zero(const Json& object, const Element& element) {
   const auto [u_low, u_high] = interval_of(zero["u"]);
   const auto [v_low, v_high] = interval_of(zero["v"]);
   const Rational u = (u_low + u_high) / 2, v = (v_low + v_high) / 2;
-  const Parameter parameter = element.is_triangle() ? Parameter{1 - u - v, u, v} : Parameter{u, v};
+  const Values parameter = element.is_triangle() ? Values{1 - u - v, u, v} : Values{u, v};
   const Rational det = exact_determinant(element, parameter);
   if (u_low == u_high && v_low == v_high) {
     REQUIRE(det == 0);
@@ -159,7 +159,7 @@ void check_evidence(const Json& object, const Element& element, Random& random) 
   if (verdict == "injective" || verdict == "regular" || verdict == "overlapping")
     REQUIRE(object["witness"].is_null());
   if (!object["witness"].is_null()) {
-    Parameter parameter;
+    Values parameter;
     for (const Json& value : object["witness"]["parameter"]) parameter.push_back(rational_of(value));
     const Rational det = rational_of(object["witness"]["det"]);
     REQUIRE(in_domain(element, parameter));
@@ -171,7 +171,7 @@ void check_evidence(const Json& object, const Element& element, Random& random) 
   if (verdict == "degenerate") check_zero(object, element);
   // Elsewhere: never below the bound, and of the sign that the verdict says.
   for (int round = 0; round < 6; ++round) {
-    const Parameter parameter = random_parameter(element, random);
+    const Values parameter = random_parameter(element, random);
     const Rational det = exact_determinant(element, parameter);
     INFO("det J = " << det << " at a random parameter");
     REQUIRE(lower <= det);

@@ -17,11 +17,11 @@ namespace {
 using Point = std::pair<Rational, Rational>;
 
 // Edge i leads from corner i to the next.
-Parameter edge_parameter(const Element& element, int edge, const Rational& t) {
+Values edge_parameter(const Element& element, int edge, const Rational& t) {
   const Rational s = 1 - t;
   if (element.is_triangle()) {
     if (edge == 0) return {s, t, 0};
-    return edge == 1 ? Parameter{0, s, t} : Parameter{t, 0, s};
+    return edge == 1 ? Values{0, s, t} : Values{t, 0, s};
   }
   switch (edge) {
     case 0: return {t, 0};

@@ -5,6 +5,7 @@
 // corpus/make_elements.py, exact arithmetic in Python). Meshes: the counts and the bad elements in
 // meshes/expected*.tsv (made by corpus/mesh_oracle.py). Prints what differs; exit code 0 or 1.
 #include "bezcert/criterion/subdivision.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/curve/bez_json.hpp"
@@ -216,7 +217,7 @@ void check_whole(const std::string& corpus, const std::string& file) {
   const Mesh mesh = read_mesh(path, read_file(path));
   std::vector<ElementState> states;
   for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
-    states.push_back(state_of(decide(Forms(mesh.element(i)))));
+    states.push_back(state_of(decide(mesh.element(i))));
   }
   const MeshResult result = examine_mesh(mesh, states);
   bool found = false;

@@ -4,6 +4,7 @@
 
 #include "bezcert/decide/boundary.hpp"
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "random_element.hpp"
 
 #include <catch2/catch.hpp>
@@ -22,7 +23,7 @@ TEST_CASE("what orientation proves is regular and has a simple boundary for all 
     const Element polynomial = raw.build();
     if (orientation_condition(Forms(polynomial)).status != Status::proved) continue;
     ++proved;
-    ++by_degree[static_cast<std::size_t>(raw.shape.p)];
+    ++by_degree[static_cast<std::size_t>(raw.shape.degree(0))];
     for (std::size_t k = 0; k < raw.x.size(); ++k) {
       const long size = random.integer(1, 1000);
       raw.w.push_back(random.chance(50) ? Rational(size) : Rational(1, size));

@@ -1,8 +1,10 @@
 // The quick net: its signs are those of exact rational arithmetic, and a criterion's quick status is that of
 // its full check. Inputs near the bound: doubles that are collinear or parallel up to the last bits, far from
 // the origin, very small and very large.
+#include "bezcert/criterion/quick_net.hpp"
 #include "bezcert/criterion/criterion.hpp"
 #include "bezcert/criterion/triangle_index.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/element/lagrange.hpp"
 #include "random_element.hpp"
 
@@ -23,7 +25,7 @@ struct Triangle {
   std::vector<double> x, y;
   std::vector<std::uint32_t> nodes;
 
-  Element element() const { return Element(shape, basis, ExactVector(x), ExactVector(y)); }
+  Element element() const { return Element(shape, basis, {ExactVector(x), ExactVector(y)}); }
 };
 
 double nudged(Random& random, double value) {
@@ -37,7 +39,7 @@ double nudged(Random& random, double value) {
 Triangle random_triangle(Random& random, int max_degree) {
   const int n = static_cast<int>(random.integer(1, max_degree));
   Triangle result;
-  result.shape = {Domain::triangle, n, 0};
+  result.shape = Shape::triangle(n);
   if (random.chance(60)) result.basis = Basis::lagrange;
   const bool round = random.chance(30);  // small integers: exact zeros are frequent
   const auto coordinate = [&] {
@@ -147,7 +149,7 @@ TEST_CASE("a quick status is the status of the check") {
     if (!net.load(t.shape, t.basis, t.x, t.y, t.nodes)) continue;
     const Element element = t.element();
     const Forms forms(element);
-    INFO("seed " << seed << " case " << i << " degree " << t.shape.p);
+    INFO("seed " << seed << " case " << i << " degree " << t.shape.degree(0));
     for (const Criterion& criterion : criteria()) {
       REQUIRE(criterion.quick != nullptr);
       const std::optional<Status> status = criterion.quick(net);
@@ -174,8 +176,8 @@ TEST_CASE("the quick net refuses what it is not for") {
   std::vector<std::uint32_t> nodes(66);
   std::iota(nodes.begin(), nodes.end(), 0U);
   const std::span<const std::uint32_t> six(nodes.data(), 6);
-  CHECK(!net.load({Domain::triangle, 2, 0}, Basis::bernstein, zero, zero, six));  // no size
-  CHECK(!net.load({Domain::triangle, 2, 0}, Basis::bernstein, wide, wide, six));  // exponents
-  CHECK(!net.load({Domain::square, 1, 1}, Basis::bernstein, wide, wide, {nodes.data(), 4}));
-  CHECK(!net.load({Domain::triangle, 11, 0}, Basis::bernstein, zero, zero, nodes));
+  CHECK(!net.load(Shape::triangle(2), Basis::bernstein, zero, zero, six));  // no size
+  CHECK(!net.load(Shape::triangle(2), Basis::bernstein, wide, wide, six));  // exponents
+  CHECK(!net.load(Shape::square(1, 1), Basis::bernstein, wide, wide, {nodes.data(), 4}));
+  CHECK(!net.load(Shape::triangle(11), Basis::bernstein, zero, zero, nodes));
 }

@@ -49,8 +49,8 @@ inline std::vector<Rational> bernstein_coefficients(Shape shape, const Powers& f
       for (const auto& [e, c] : f) {
         const auto [a, b] = e;
         const Rational below = shape.domain == Domain::triangle
-                                   ? falling(shape.p, a + b)
-                                   : Rational(falling(shape.p, a) * falling(shape.q, b));
+                                   ? falling(shape.degree(0), a + b)
+                                   : Rational(falling(shape.degree(0), a) * falling(shape.degree(1), b));
         if (!c.is_zero()) sum += c * falling(j, a) * falling(k, b) / below;
       }
       result.push_back(sum);
@@ -78,8 +78,8 @@ inline TestNet without_facts(RawElement element, std::string kind) {
 }
 
 inline Shape random_shape(Random& random, int degree) {
-  if (random.chance(70)) return {Domain::triangle, degree, 0};
-  return {Domain::square, degree, static_cast<int>(random.integer(2, degree))};
+  if (random.chance(70)) return Shape::triangle(degree);
+  return Shape::square(degree, static_cast<int>(random.integer(2, degree)));
 }
 
 inline void random_weights(Random& random, RawElement& e) {
@@ -130,7 +130,7 @@ inline TestNet collapsed_net(Random& random) {
   switch (random.integer(0, 4)) {
     case 0: copy(0, 1); break;
     case 1:
-      for (int c = 1; c <= s.p; ++c) copy(coefficient_index(s, 0, c), 0);
+      for (int c = 1; c <= s.degree(0); ++c) copy(coefficient_index(s, 0, c), 0);
       break;
     case 2:
       for (int k = 0; k < 3; ++k) {
@@ -159,7 +159,7 @@ inline TestNet collapsed_net(Random& random) {
 inline TestNet prescribed_net(Random& random) {
   const int n = static_cast<int>(random.integer(2, 4));
   const bool triangle = random.chance(60);
-  const Shape shape = triangle ? Shape{Domain::triangle, n, 0} : Shape{Domain::square, n, n};
+  const Shape shape = triangle ? Shape::triangle(n) : Shape::square(n, n);
   TestNet net;
   net.injective = true;
   const Rational p = random_fraction(random);
@@ -250,7 +250,7 @@ inline TestNet prescribed_net(Random& random) {
 /// z -> f(z) with a complex polynomial f, z = s + i t or another such: det J = |f'|^2, isolated zeros.
 inline TestNet conformal_net(Random& random) {
   const int n = static_cast<int>(random.integer(2, 4));
-  const Shape shape = random.chance(70) ? Shape{Domain::triangle, n, 0} : Shape{Domain::square, n, n};
+  const Shape shape = random.chance(70) ? Shape::triangle(n) : Shape::square(n, n);
   // Coefficients of the derivative, as pairs (real, imaginary).
   using Complex = std::pair<Rational, Rational>;
   const auto times = [](const Complex& a, const Complex& b) {
@@ -311,7 +311,7 @@ inline TestNet test_net(Random& random) {
                                : conformal_net(random);
   RawElement& e = net.element;
   if (e.w.empty() && random.chance(12) &&
-      (e.shape.domain == Domain::triangle ? e.shape.p <= 3 : e.shape.p <= 2)) {
+      (e.shape.domain == Domain::triangle ? e.shape.degree(0) <= 3 : e.shape.degree(0) <= 2)) {
     e.w.assign(e.x.size(), Rational(1));
     const auto factor = [&] { return Rational(random.integer(1, 3)); };
     e = reparametrise(e, factor(), factor(), factor());

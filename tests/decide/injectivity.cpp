@@ -2,6 +2,7 @@
 // injective everywhere, powers of z are not on large sectors, and self-touching boundaries are found.
 #include "bezcert/decide/boundary.hpp"
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/report/decision_text.hpp"
 #include "random_element.hpp"
 
@@ -15,9 +16,9 @@ namespace {
 using Field = Polynomial<Rational>;
 
 Field sum(const Field& a, const Field& b) {
-  const int degree = std::max(a.shape.p, b.shape.p);
-  Field x = elevate(a, degree - a.shape.p);
-  const Field y = elevate(b, degree - b.shape.p);
+  const int degree = std::max(a.shape.degree(0), b.shape.degree(0));
+  Field x = elevate(a, degree - a.shape.degree(0));
+  const Field y = elevate(b, degree - b.shape.degree(0));
   for (std::size_t i = 0; i < x.coefficients.size(); ++i) x.coefficients[i] += y.coefficients[i];
   return x;
 }
@@ -28,10 +29,10 @@ Field scaled(const Rational& factor, Field f) {
 }
 
 Element element_of(const Field& x, const Field& y, bool reparametrised, Random& random) {
-  const int degree = std::max(x.shape.p, y.shape.p);
-  RawElement raw{{Domain::triangle, degree, 0},
-                 elevate(x, degree - x.shape.p).coefficients,
-                 elevate(y, degree - y.shape.p).coefficients,
+  const int degree = std::max(x.shape.degree(0), y.shape.degree(0));
+  RawElement raw{Shape::triangle(degree),
+                 elevate(x, degree - x.shape.degree(0)).coefficients,
+                 elevate(y, degree - y.shape.degree(0)).coefficients,
                  {}};
   if (reparametrised) {
     raw.w.assign(raw.x.size(), Rational(1));
@@ -49,7 +50,7 @@ std::pair<Field, Field> random_triangle(Random& random, long size) {
       y.emplace_back(random.integer(-size, size), 4);
     }
     if ((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]) <= 0) continue;
-    const Shape linear{Domain::triangle, 1, 0};
+    const Shape linear = Shape::triangle(1);
     return {Field(linear, x), Field(linear, y)};
   }
 }
@@ -186,7 +187,7 @@ TEST_CASE("bilinear quadrilaterals and quadratic triangles that are regular are 
   int seen = 0;
   for (int i = 0; i < 2000; ++i) {
     const bool quad = random.chance(50);
-    RawElement raw = straight(quad ? Shape{Domain::square, 1, 1} : Shape{Domain::triangle, 2, 0}, 4);
+    RawElement raw = straight(quad ? Shape::square(1, 1) : Shape::triangle(2), 4);
     for (auto* values : {&raw.x, &raw.y}) {
       for (Rational& value : *values) value += random.integer(-3, 3);
     }

@@ -4,6 +4,7 @@
 #include "bezcert/criterion/orientation.hpp"
 #include "bezcert/criterion/subdivision.hpp"
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "random_element.hpp"
 
 #include <catch2/catch.hpp>

@@ -116,13 +116,14 @@ inline Table basis_table(Shape shape, int row, int column) {
   Table powers = product(repeated(u, column), repeated(v, row));
   Integer factor;
   if (triangle) {
-    const int other = shape.p - row - column;
+    const int other = shape.degree(0) - row - column;
     powers = product(powers, repeated(rest, other));
-    factor = factorial_of(shape.p) / (factorial_of(row) * factorial_of(column) * factorial_of(other));
+    factor = factorial_of(shape.degree(0)) / (factorial_of(row) * factorial_of(column) * factorial_of(other));
   } else {
-    powers = product(powers, product(repeated(rest_u, shape.p - column), repeated(rest_v, shape.q - row)));
-    factor = factorial_of(shape.p) / (factorial_of(column) * factorial_of(shape.p - column)) *
-             (factorial_of(shape.q) / (factorial_of(row) * factorial_of(shape.q - row)));
+    powers = product(
+        powers, product(repeated(rest_u, shape.degree(0) - column), repeated(rest_v, shape.degree(1) - row)));
+    factor = factorial_of(shape.degree(0)) / (factorial_of(column) * factorial_of(shape.degree(0) - column)) *
+             (factorial_of(shape.degree(1)) / (factorial_of(row) * factorial_of(shape.degree(1) - row)));
   }
   return combined(Table(1, 1), factor, powers);
 }
@@ -135,9 +136,10 @@ inline Table expanded(Shape shape, const std::vector<Rational>& coefficients) {
     for (int r = 0; r < row_count(shape); ++r) {
       for (int c = 0; c < column_count(shape, r); ++c) {
         const auto height =
-            static_cast<std::size_t>(shape.domain == Domain::triangle ? shape.p : shape.q) + 1;
-        basis.push_back(
-            combined(Table(height, static_cast<std::size_t>(shape.p) + 1), 1, basis_table(shape, r, c)));
+            static_cast<std::size_t>(shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1)) +
+            1;
+        basis.push_back(combined(Table(height, static_cast<std::size_t>(shape.degree(0)) + 1), 1,
+                                 basis_table(shape, r, c)));
       }
     }
   }

@@ -5,6 +5,7 @@
 // else: a plain subdivision where that proves the sign, otherwise the critical points of det J
 // (critical_points.hpp).
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/report/decision_text.hpp"
 #include "critical_points.hpp"
 #include "degenerate_nets.hpp"
@@ -30,8 +31,8 @@ struct Tally {
 };
 
 std::array<Rational, 2> uv_of(const Witness& witness) {
-  const std::size_t first = witness.parameter.size() == 3 ? 1 : 0;
-  return {witness.parameter[first], witness.parameter[first + 1]};
+  const std::vector<Rational> uv = witness.parameter.affine();
+  return {uv[0], uv[1]};
 }
 
 // The sign of det J at a witness, or 2 if it lies outside the domain.

@@ -5,7 +5,7 @@
 
 #include "bernstein/explicit_sum.hpp"
 
-#include "bezcert/element/element.hpp"
+#include "bezcert/element/map.hpp"
 
 #include <string>
 #include <utility>
@@ -24,16 +24,24 @@ struct ControlNet {
   Rational weight(std::size_t m) const { return w.empty() ? Rational(1) : w[m]; }
 };
 
+/// The values of a parameter (Parameter::values), free to compute with.
+using Values = std::vector<Rational>;
+
+/// det J by the library's evaluation of the map.
+inline Rational map_determinant(const Element& element, const Values& at) {
+  return evaluate_map(element, Parameter(element.shape().domain, at)).determinant;
+}
+
 inline Element bernstein_element(const ControlNet& net) {
-  return Element(net.shape, Basis::bernstein, ExactVector(net.x), ExactVector(net.y), ExactVector(net.w));
+  return Element(net.shape, Basis::bernstein, {ExactVector(net.x), ExactVector(net.y)}, ExactVector(net.w));
 }
 
 /// Row and column of every coefficient.
 inline std::vector<std::pair<int, int>> rows_and_columns(Shape shape) {
   std::vector<std::pair<int, int>> result;
-  const int rows = shape.domain == Domain::triangle ? shape.p : shape.q;
+  const int rows = shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1);
   for (int r = 0; r <= rows; ++r) {
-    const int last = shape.domain == Domain::triangle ? shape.p - r : shape.p;
+    const int last = shape.domain == Domain::triangle ? shape.degree(0) - r : shape.degree(0);
     for (int c = 0; c <= last; ++c) result.emplace_back(r, c);
   }
   return result;
@@ -50,12 +58,13 @@ inline std::vector<Rational> basis_derivatives(Shape shape, const std::vector<Ra
   };
   std::vector<Rational> result;
   if (shape.domain == Domain::triangle) {
-    const auto x = powers(at[0], shape.p);
-    const auto y = powers(at[1], shape.p);
-    const auto z = powers(at[2], shape.p);
+    const auto x = powers(at[0], shape.degree(0));
+    const auto y = powers(at[1], shape.degree(0));
+    const auto z = powers(at[2], shape.degree(0));
     for (const auto& [k, j] : rows_and_columns(shape)) {
-      const int i = shape.p - j - k;
-      const Rational factor(Integer(factorial(shape.p) / (factorial(i) * factorial(j) * factorial(k))));
+      const int i = shape.degree(0) - j - k;
+      const Rational factor(
+          Integer(factorial(shape.degree(0)) / (factorial(i) * factorial(j) * factorial(k))));
       const Rational by_first = slope(x, i) * get(y, j) * get(z, k);
       const Rational by_other = direction == 0 ? Rational(get(x, i) * slope(y, j) * get(z, k))
                                                : Rational(get(x, i) * get(y, j) * slope(z, k));
@@ -63,16 +72,18 @@ inline std::vector<Rational> basis_derivatives(Shape shape, const std::vector<Ra
     }
     return result;
   }
-  const auto u = powers(at[0], shape.p);
-  const auto u1 = powers(1 - at[0], shape.p);
-  const auto v = powers(at[1], shape.q);
-  const auto v1 = powers(1 - at[1], shape.q);
+  const auto u = powers(at[0], shape.degree(0));
+  const auto u1 = powers(1 - at[0], shape.degree(0));
+  const auto v = powers(at[1], shape.degree(1));
+  const auto v1 = powers(1 - at[1], shape.degree(1));
   for (const auto& [r, c] : rows_and_columns(shape)) {
-    const Rational factor(Integer(choose(shape.p, c) * choose(shape.q, r)));
-    const Rational along_u = get(u1, shape.p - c) * get(u, c);
-    const Rational along_v = get(v1, shape.q - r) * get(v, r);
-    const Rational slope_u = get(u1, shape.p - c) * slope(u, c) - slope(u1, shape.p - c) * get(u, c);
-    const Rational slope_v = get(v1, shape.q - r) * slope(v, r) - slope(v1, shape.q - r) * get(v, r);
+    const Rational factor(Integer(choose(shape.degree(0), c) * choose(shape.degree(1), r)));
+    const Rational along_u = get(u1, shape.degree(0) - c) * get(u, c);
+    const Rational along_v = get(v1, shape.degree(1) - r) * get(v, r);
+    const Rational slope_u =
+        get(u1, shape.degree(0) - c) * slope(u, c) - slope(u1, shape.degree(0) - c) * get(u, c);
+    const Rational slope_v =
+        get(v1, shape.degree(1) - r) * slope(v, r) - slope(v1, shape.degree(1) - r) * get(v, r);
     result.push_back(factor * (direction == 0 ? Rational(slope_u * along_v) : Rational(along_u * slope_v)));
   }
   return result;

@@ -19,7 +19,7 @@ using Doubles = std::vector<double>;
 std::string refusal(Shape shape, const Doubles& x, const Doubles& y, const Doubles& w = {},
                     Basis basis = Basis::bernstein) {
   try {
-    const Element element(shape, basis, ExactVector(x), ExactVector(y), ExactVector(w));
+    const Element element(shape, basis, {ExactVector(x), ExactVector(y)}, ExactVector(w));
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -40,32 +40,31 @@ bool inside(const Interval& interval, const Rational& x) {
 }  // namespace
 
 TEST_CASE("an element refuses what is none, and says why") {
-  const Shape triangle{Domain::triangle, 1, 0};
+  const Shape triangle = Shape::triangle(1);
   const Doubles three{0, 1, 2};
   REQUIRE(refusal(triangle, three, three).empty());
   REQUIRE(refusal(triangle, three, three, {1, 2, 3}).empty());
 
-  CHECK(says(refusal({Domain::segment, 2, 0}, three, three), {"segment"}));
-  CHECK(says(refusal({Domain::triangle, 0, 0}, {0}, {0}), {"degree", "at least 1"}));
-  CHECK(says(refusal({Domain::triangle, -1, 0}, {}, {}), {"degree", "at least 1"}));
-  CHECK(says(refusal({Domain::square, 0, 1}, {0, 1}, {0, 1}), {"degree", "at least 1"}));
-  CHECK(says(refusal({Domain::square, 1, 0}, {0, 1}, {0, 1}), {"degree", "at least 1"}));
-  CHECK(says(refusal({Domain::square, -2, -2}, {1}, {1}), {"degree", "at least 1"}));
+  CHECK(says(refusal(Shape::segment(2), three, three), {"segment"}));
+  CHECK(says(refusal(Shape::triangle(0), {0}, {0}), {"degree", "at least 1"}));
+  CHECK(says(refusal(Shape::triangle(-1), {}, {}), {"degree", "at least 1"}));
+  CHECK(says(refusal(Shape::square(0, 1), {0, 1}, {0, 1}), {"degree", "at least 1"}));
+  CHECK(says(refusal(Shape::square(1, 0), {0, 1}, {0, 1}), {"degree", "at least 1"}));
+  CHECK(says(refusal(Shape::square(-2, -2), {1}, {1}), {"degree", "at least 1"}));
 
   const std::string limit = std::to_string(max_degree);
   const auto zeros = [](Shape shape) { return Doubles(coefficient_count(shape)); };
-  for (const Shape too_high :
-       {Shape{Domain::triangle, max_degree + 1, 0}, Shape{Domain::square, max_degree + 1, 1},
-        Shape{Domain::square, 1, max_degree + 1}}) {
+  for (const Shape too_high : {Shape::triangle(max_degree + 1), Shape::square(max_degree + 1, 1),
+                               Shape::square(1, max_degree + 1)}) {
     INFO(show(too_high));
     CHECK(says(refusal(too_high, zeros(too_high), zeros(too_high)), {"degree", limit.c_str()}));
   }
-  CHECK(refusal({Domain::square, max_degree, 1}, Doubles(2 * max_degree + 2), Doubles(2 * max_degree + 2))
+  CHECK(refusal(Shape::square(max_degree, 1), Doubles(2 * max_degree + 2), Doubles(2 * max_degree + 2))
             .empty());
 
   CHECK(says(refusal(triangle, {0, 1}, three), {"3 points", "2"}));
   CHECK(says(refusal(triangle, three, {0, 1, 2, 3}), {"3 points", "4"}));
-  CHECK(says(refusal({Domain::square, 1, 2}, three, three), {"6 points", "3"}));
+  CHECK(says(refusal(Shape::square(1, 2), three, three), {"6 points", "3"}));
   CHECK(says(refusal(triangle, three, three, {1, 1}), {"3 weights", "2"}));
   CHECK(says(refusal(triangle, three, three, {1, 1, 1, 1}), {"3 weights", "4"}));
 
@@ -75,7 +74,7 @@ TEST_CASE("an element refuses what is none, and says why") {
 }
 
 TEST_CASE("an element given by nodes refuses weights that are not positive as a control net") {
-  const Shape quadratic{Domain::triangle, 2, 0};
+  const Shape quadratic = Shape::triangle(2);
   const Doubles six(6);
   // The middle control weight of the first edge is 2 w_1 - (w_0 + w_2) / 2.
   CHECK(refusal(quadratic, six, six, {1, 0.51, 1, 1, 1, 1}, Basis::lagrange).empty());
@@ -94,15 +93,16 @@ TEST_CASE("a triangle has no second degree") {
   const std::string message = refusal({Domain::triangle, 1, 1}, three, three);
   // Either refused, or kept as the shape it is: q is 0 for triangles (shape.hpp).
   if (message.empty()) {
-    const Element element({Domain::triangle, 1, 1}, Basis::bernstein, ExactVector(three), ExactVector(three));
-    CHECK(element.shape() == Shape{Domain::triangle, 1, 0});
+    const Element element({Domain::triangle, 1, 1}, Basis::bernstein,
+                          {ExactVector(three), ExactVector(three)});
+    CHECK(element.shape() == Shape::triangle(1));
   }
 }
 
 TEST_CASE("an element keeps what it was given and names itself") {
-  const ControlNet net = identity_net({Domain::square, 2, 3});
+  const ControlNet net = identity_net(Shape::square(2, 3));
   const Element quad = bernstein_element(net);
-  CHECK(quad.shape() == Shape{Domain::square, 2, 3});
+  CHECK(quad.shape() == Shape::square(2, 3));
   CHECK(quad.basis() == Basis::bernstein);
   CHECK_FALSE(quad.is_triangle());
   CHECK_FALSE(quad.rational());
@@ -111,14 +111,14 @@ TEST_CASE("an element keeps what it was given and names itself") {
   CHECK(kind_name(quad) == "quadrilateral");
   CHECK(degree_name(quad) == "2x3");
   for (std::size_t m = 0; m < net.x.size(); ++m) {
-    CHECK(quad.x()[m] == net.x[m]);
-    CHECK(quad.y()[m] == net.y[m]);
+    CHECK(quad.coordinates()[0][m] == net.x[m]);
+    CHECK(quad.coordinates()[1][m] == net.y[m]);
   }
-  const Element wide = bernstein_element(identity_net({Domain::square, 4, 1}));
+  const Element wide = bernstein_element(identity_net(Shape::square(4, 1)));
   CHECK(wide.degree() == 4);
   CHECK(degree_name(wide) == "4x1");
-  CHECK(degree_name(bernstein_element(identity_net({Domain::square, 3, 3}))) == "3");
-  const Element triangle = bernstein_element(identity_net({Domain::triangle, 3, 0}));
+  CHECK(degree_name(bernstein_element(identity_net(Shape::square(3, 3)))) == "3");
+  const Element triangle = bernstein_element(identity_net(Shape::triangle(3)));
   CHECK(triangle.is_triangle());
   CHECK(triangle.degree() == 3);
   CHECK(kind_name(triangle) == "triangle");
@@ -126,7 +126,7 @@ TEST_CASE("an element keeps what it was given and names itself") {
 }
 
 TEST_CASE("an element is rational exactly when its weights differ") {
-  ControlNet net = identity_net({Domain::triangle, 2, 0});
+  ControlNet net = identity_net(Shape::triangle(2));
   net.w.assign(6, Rational(1, 3));
   const Element equal = bernstein_element(net);
   CHECK_FALSE(equal.rational());
@@ -154,17 +154,21 @@ TEST_CASE("the integer net is the element relative to its first point, the inter
         if (intervals.net.shape != shape || intervals.net.rational() != element.rational())
           FAIL("interval form");
         const auto w = [&](std::size_t m) {
-          return element.rational() ? Rational(exact.net.w[m]) : Rational(1);
+          return element.rational() ? Rational(exact.net.weights[m]) : Rational(1);
         };
-        const auto wi = [&](std::size_t m) { return element.rational() ? intervals.net.w[m] : Interval(1); };
+        const auto wi = [&](std::size_t m) {
+          return element.rational() ? intervals.net.weights[m] : Interval(1);
+        };
         for (std::size_t m = 0; m < net.x.size(); ++m) {
           const Rational x = net.x[m] - net.x[0];
           const Rational y = net.y[m] - net.y[0];
-          if (exact.scale * Rational(exact.net.x[m]) != w(m) * x) FAIL("x of point " << m);
-          if (exact.scale * Rational(exact.net.y[m]) != w(m) * y) FAIL("y of point " << m);
+          if (exact.scale * Rational(exact.net.coordinates[0][m]) != w(m) * x) FAIL("x of point " << m);
+          if (exact.scale * Rational(exact.net.coordinates[1][m]) != w(m) * y) FAIL("y of point " << m);
           if (w(m) <= 0) FAIL("weight " << m << " not positive");
-          if (!inside(intervals.scale * intervals.net.x[m] / wi(m), x)) FAIL("interval x of point " << m);
-          if (!inside(intervals.scale * intervals.net.y[m] / wi(m), y)) FAIL("interval y of point " << m);
+          if (!inside(intervals.scale * intervals.net.coordinates[0][m] / wi(m), x))
+            FAIL("interval x of point " << m);
+          if (!inside(intervals.scale * intervals.net.coordinates[1][m] / wi(m), y))
+            FAIL("interval y of point " << m);
           if (!element.rational()) continue;
           if (w(m) * net.w[0] != w(0) * net.w[m]) FAIL("weight " << m);
           if (!inside(wi(m) / wi(0), net.w[m] / net.w[0])) FAIL("interval weight " << m);
@@ -182,7 +186,7 @@ TEST_CASE("orientations of control points have the sign of the triangle's area, 
   Random random(seed);
   long seen[3] = {}, rational = 0, exact_was_needed = 0, filter_sufficed = 0;
   for (int i = 0; i < 1500; ++i) {
-    const Shape shape = random.chance(50) ? Shape{Domain::triangle, 3, 0} : Shape{Domain::square, 2, 2};
+    const Shape shape = random.chance(50) ? Shape::triangle(3) : Shape::square(2, 2);
     const Points points = random_points(random);
     const ControlNet net = random_net(random, shape, points, random_weights(random));
     const Element element = bernstein_element(net);
@@ -202,7 +206,8 @@ TEST_CASE("orientations of control points have the sign of the triangle's area, 
     // A positive multiple: of 2 area, by w_a w_b w_c and the scale.
     const Net<Integer>& integers = off.exact().net;
     Rational multiple = 1 / (off.exact().scale * off.exact().scale);
-    if (integers.rational()) multiple *= Rational(Integer(integers.w[a] * integers.w[b] * integers.w[c]));
+    if (integers.rational())
+      multiple *= Rational(Integer(integers.weights[a] * integers.weights[b] * integers.weights[c]));
     if (Rational(orientation(integers, a, b, c)) != area * multiple) FAIL("multiple of the area");
     ++seen[area.sign() + 1];
     rational += element.rational();
@@ -218,7 +223,7 @@ TEST_CASE("forms compute the numerator and weight of their element once") {
   const std::uint64_t seed = seed_or(323);
   Random random(seed);
   for (const Weights weights : all_weights) {
-    const ControlNet net = random_net(random, {Domain::triangle, 3, 0}, Points::fractions, weights);
+    const ControlNet net = random_net(random, Shape::triangle(3), Points::fractions, weights);
     const Element element = bernstein_element(net);
     const Forms forms(element);
     CHECK(&forms.element() == &element);

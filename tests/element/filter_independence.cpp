@@ -2,6 +2,7 @@
 #include "element/random_net.hpp"
 
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/report/decision_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -19,7 +20,7 @@ namespace {
 
 std::string text(const std::optional<Witness>& witness) {
   if (!witness) return "-";
-  return show(witness->parameter) + ": " + to_string(witness->determinant);
+  return to_string(witness->parameter) + ": " + to_string(witness->determinant);
 }
 std::string text(const Dyadic& d) { return std::to_string(d.mantissa) + "*2^" + std::to_string(d.exponent); }
 
@@ -89,7 +90,7 @@ ControlNet small_net(Random& random) {
 /// angle.
 ControlNet power_net(int n, std::array<std::complex<long>, 3> corners) {
   ControlNet net;
-  net.shape = {Domain::triangle, n, 0};
+  net.shape = Shape::triangle(n);
   for (const auto& [k, j] : rows_and_columns(net.shape)) {
     std::complex<long> product(1, 0);
     for (int f = 0; f < n - j - k; ++f) product *= corners[0];
@@ -125,7 +126,7 @@ void check_decision(const ControlNet& net, const Budget& budget, Seen& seen) {
   (on.went_exact() ? seen.exact_with_filter : seen.filter_sufficed) += 1;
   for (const auto* witness : {&with_filter.witness, &with_filter.other_witness}) {
     if (!*witness) continue;
-    if ((*witness)->determinant != direct_determinant(net, (*witness)->parameter)) {
+    if ((*witness)->determinant != direct_determinant(net, (*witness)->parameter.values())) {
       INFO(show(net));
       FAIL_CHECK("det J of the witness " << text(*witness));
     }

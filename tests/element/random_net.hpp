@@ -27,8 +27,9 @@ inline ControlNet identity_net(Shape shape, long scale = 1) {
   ControlNet net;
   net.shape = shape;
   for (const auto& [r, c] : rows_and_columns(shape)) {
-    net.x.push_back(Rational(c * scale) / shape.p);
-    net.y.push_back(Rational(r * scale) / (shape.domain == Domain::triangle ? shape.p : shape.q));
+    net.x.push_back(Rational(c * scale) / shape.degree(0));
+    net.y.push_back(Rational(r * scale) /
+                    (shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1)));
   }
   return net;
 }
@@ -50,8 +51,8 @@ inline ControlNet random_net(Random& random, Shape shape, Points points, Weights
     return 0;
   };
   for (std::size_t m = 0; m < net.x.size(); ++m) {
-    net.x[m] = coordinate(net.x[m], shape.p);
-    net.y[m] = coordinate(net.y[m], shape.domain == Domain::triangle ? shape.p : shape.q);
+    net.x[m] = coordinate(net.x[m], shape.degree(0));
+    net.y[m] = coordinate(net.y[m], shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1));
   }
   if (weights == Weights::none) return net;
   const Rational common = fraction(1, 4);
@@ -109,7 +110,7 @@ inline void stretch(Random& random, ControlNet& net) {
 /// a corner on a line, or all points on a line.
 inline void degenerate(Random& random, ControlNet& net) {
   const auto last = static_cast<long>(net.x.size()) - 1;
-  const std::size_t next_row = net.shape.p + 1U;
+  const std::size_t next_row = net.shape.degree(0) + 1U;
   const auto copy_point = [&](std::size_t to, std::size_t from) {
     net.x[to] = net.x[from];
     net.y[to] = net.y[from];
@@ -129,8 +130,8 @@ inline void degenerate(Random& random, ControlNet& net) {
 /// one more than that of g; on a square g must not be constant in u.
 inline ControlNet net_with_determinant(const Polynomial<Rational>& g) {
   Shape shape = g.shape;
-  (shape.domain == Domain::triangle ? shape.p : shape.q) += 1;
-  const int along_v = shape.domain == Domain::triangle ? shape.p : shape.q;
+  shape = shape.raised(shape.factor_count() - 1, 1);
+  const int along_v = shape.domain == Domain::triangle ? shape.degree(0) : shape.degree(1);
   ControlNet net = identity_net(shape);
   for (const auto& [r, c] : rows_and_columns(shape)) {
     const std::size_t m = coefficient_index(shape, r, c);
@@ -143,7 +144,7 @@ inline ControlNet net_with_determinant(const Polynomial<Rational>& g) {
 /// (a l1^2 + b l2^2 + c) with l1, l2 vanishing together at a point of the domain with small denominators: an
 /// isolated zero, or a line of zeros where b = 0, raised or lowered by c.
 inline Polynomial<Rational> touching_polynomial(Random& random, Domain domain, const Rational& c) {
-  const Shape linear{domain, 1, domain == Domain::square ? 1 : 0};
+  const Shape linear(domain, 1, 1);
   const long denominator = random.integer(2, 8);
   const Rational u = Rational(random.integer(0, denominator)) / denominator;
   const Rational v = domain == Domain::triangle
@@ -174,9 +175,9 @@ inline Weights random_weights(Random& random) { return all_weights[random.intege
 /// Triangles of degrees 1..triangle_degree and squares of all degrees 1..square_degree.
 inline std::vector<Shape> element_shapes(int triangle_degree, int square_degree) {
   std::vector<Shape> shapes;
-  for (int n = 1; n <= triangle_degree; ++n) shapes.push_back({Domain::triangle, n, 0});
+  for (int n = 1; n <= triangle_degree; ++n) shapes.push_back(Shape::triangle(n));
   for (int p = 1; p <= square_degree; ++p) {
-    for (int q = 1; q <= square_degree; ++q) shapes.push_back({Domain::square, p, q});
+    for (int q = 1; q <= square_degree; ++q) shapes.push_back(Shape::square(p, q));
   }
   return shapes;
 }

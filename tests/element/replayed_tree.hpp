@@ -13,15 +13,15 @@ namespace bezcert::test {
 
 /// Corners counter-clockwise, and N (times a positive number) over the piece.
 struct ReplayedPiece {
-  std::vector<Parameter> corners;
+  std::vector<Values> corners;
   int depth = 0;
   std::size_t parent = 0;
   Polynomial<Rational> numerator;
   bool leaf = true;
 };
 
-inline Parameter middle(const Parameter& a, const Parameter& b) {
-  Parameter result;
+inline Values middle(const Values& a, const Values& b) {
+  Values result;
   for (std::size_t k = 0; k < a.size(); ++k) result.push_back((a[k] + b[k]) / 2);
   return result;
 }
@@ -31,7 +31,7 @@ inline Parameter middle(const Parameter& a, const Parameter& b) {
 inline Polynomial<Rational> turned(const Polynomial<Rational>& f, const std::array<std::size_t, 3>& order) {
   Polynomial<Rational> result(f.shape);
   for (const auto& [r, c] : rows_and_columns(f.shape)) {
-    const std::array<int, 3> old{f.shape.p - r - c, c, r};
+    const std::array<int, 3> old{f.shape.degree(0) - r - c, c, r};
     result.at(old[order[2]], old[order[1]]) = f.at(r, c);
   }
   return result;
@@ -71,21 +71,21 @@ class ReplayedTree {
     const int direction = at.size() == 3 ? 0 : whole.depth % 2;
     const auto parts = bezcert::split(whole.numerator, Rational(1, 2), direction);
     if (at.size() == 3) {
-      const Parameter m = middle(at[0], at[1]);
+      const Values m = middle(at[0], at[1]);
       first.corners = {at[2], at[0], m};
       second.corners = {at[1], at[2], m};
       first.numerator = turned(parts.first, {2, 0, 1});    // (A, M, C) -> (C, A, M)
       second.numerator = turned(parts.second, {1, 2, 0});  // (M, B, C) -> (B, C, M)
     } else if (direction == 0) {
-      const Parameter low = middle(at[0], at[1]);
-      const Parameter high = middle(at[3], at[2]);
+      const Values low = middle(at[0], at[1]);
+      const Values high = middle(at[3], at[2]);
       first.corners = {at[0], low, high, at[3]};
       second.corners = {low, at[1], at[2], high};
       first.numerator = parts.first;
       second.numerator = parts.second;
     } else {
-      const Parameter left = middle(at[0], at[3]);
-      const Parameter right = middle(at[1], at[2]);
+      const Values left = middle(at[0], at[3]);
+      const Values right = middle(at[1], at[2]);
       first.corners = {at[0], at[1], right, left};
       second.corners = {left, right, at[2], at[3]};
       first.numerator = parts.first;
@@ -99,13 +99,13 @@ class ReplayedTree {
   }
 
   /// The parameter of the domain of a local parameter of a piece.
-  Parameter in_domain(std::size_t piece, const std::vector<Rational>& local) const {
+  Values in_domain(std::size_t piece, const std::vector<Rational>& local) const {
     const auto& at = pieces_[piece].corners;
     const std::vector<Rational> weights =
         at.size() == 3 ? local
                        : std::vector<Rational>{(1 - local[0]) * (1 - local[1]), local[0] * (1 - local[1]),
                                                local[0] * local[1], (1 - local[0]) * local[1]};
-    Parameter result(at[0].size());
+    Values result(at[0].size());
     for (std::size_t k = 0; k < at.size(); ++k) {
       for (std::size_t i = 0; i < result.size(); ++i) result[i] += weights[k] * at[k][i];
     }
@@ -117,12 +117,12 @@ class ReplayedTree {
 };
 
 /// Twice the area in (u, v).
-inline Rational doubled_area(const std::vector<Parameter>& corners) {
+inline Rational doubled_area(const std::vector<Values>& corners) {
   Rational sum = 0;
   const std::size_t u = corners.size() == 3 ? 1 : 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Parameter& a = corners[k];
-    const Parameter& b = corners[(k + 1) % corners.size()];
+    const Values& a = corners[k];
+    const Values& b = corners[(k + 1) % corners.size()];
     sum += a[u] * b[u + 1] - a[u + 1] * b[u];
   }
   return sum;

@@ -1,6 +1,7 @@
 // jacobian_tree.hpp: bounds of det J contain it, do not depend on the filter, and are as tight as stated.
 #include "element/replayed_tree.hpp"
 
+#include "bezcert/element/forms.hpp"
 #include "bezcert/element/jacobian_tree.hpp"
 
 #include <catch2/catch.hpp>
@@ -26,7 +27,7 @@ std::pair<Rational, Rational> corner_extremes(const ControlNet& net, const Repla
                                               const std::vector<std::size_t>& pieces) {
   std::vector<Rational> values;
   for (const std::size_t piece : pieces) {
-    for (const Parameter& corner : replay[piece].corners) values.push_back(direct_determinant(net, corner));
+    for (const Values& corner : replay[piece].corners) values.push_back(direct_determinant(net, corner));
   }
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return {*low, *high};
@@ -72,13 +73,13 @@ TEST_CASE("bounds over pieces contain det J, filter on and off alike") {
     const Rational min_lower = to_rational(b.min_lower), min_upper = to_rational(b.min_upper);
     const Rational max_lower = to_rational(b.max_lower), max_upper = to_rational(b.max_upper);
     if (min_lower > min_upper || max_lower > max_upper) FAIL("order");
-    const auto check = [&](const Parameter& at) {
+    const auto check = [&](const Values& at) {
       const Rational det = direct_determinant(net, at);
       if (det < min_lower || det > max_upper) FAIL("det J = " << det << " at " << test::show(at));
       ++samples;
     };
     for (const std::size_t piece : pieces) {
-      for (const Parameter& corner : replay[piece].corners) check(corner);
+      for (const Values& corner : replay[piece].corners) check(corner);
       for (int k = 0; k < 2; ++k) {
         check(replay.in_domain(piece, random_parameter(random, net.shape.domain, true)));
       }
@@ -155,7 +156,7 @@ TEST_CASE("known extremes lie between the bounds: det J constant, and rational t
   const JacobianTree::Piece root[] = {JacobianTree::root};
   for (int i = 0; i < 600; ++i) {
     const bool weighted = random.chance(50);
-    const Shape shape{Domain::triangle, 1, 0};
+    const Shape shape = Shape::triangle(1);
     const ControlNet net =
         random_net(random, shape, random_points(random), weighted ? Weights::small_integers : Weights::none);
     const Element element = bernstein_element(net);

@@ -1,6 +1,7 @@
 // jacobian_tree.hpp: pieces tile the domain, and their signs are those of the exact coefficients.
 #include "element/replayed_tree.hpp"
 
+#include "bezcert/element/forms.hpp"
 #include "bezcert/element/jacobian_tree.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,12 +14,12 @@ using namespace bezcert::test;
 namespace {
 
 /// Position of a point of the domain in a piece: 1 inside, 0 on its boundary, -1 outside.
-int position(const std::vector<Parameter>& corners, const Parameter& at) {
+int position(const std::vector<Values>& corners, const Values& at) {
   const std::size_t u = corners.size() == 3 ? 1 : 0;
   int result = 1;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Parameter& a = corners[k];
-    const Parameter& b = corners[(k + 1) % corners.size()];
+    const Values& a = corners[k];
+    const Values& b = corners[(k + 1) % corners.size()];
     const Rational side = (b[u] - a[u]) * (at[u + 1] - a[u + 1]) - (b[u + 1] - a[u + 1]) * (at[u] - a[u]);
     result = std::min(result, side.sign());
   }
@@ -49,7 +50,7 @@ TEST_CASE("pieces of a subdivision have the corners of the replay and tile the d
   Random random(seed);
   long points_inside = 0, deepest = 0;
   for (int i = 0; i < 12; ++i) {
-    const Shape shape = i % 2 == 0 ? Shape{Domain::triangle, 2, 0} : Shape{Domain::square, 1, 2};
+    const Shape shape = i % 2 == 0 ? Shape::triangle(2) : Shape::square(1, 2);
     const ControlNet net = random_net(random, shape, Points::small_integers, Weights::none);
     const Element element = bernstein_element(net);
     const Forms forms(element);
@@ -63,16 +64,16 @@ TEST_CASE("pieces of a subdivision have the corners of the replay and tile the d
     for (std::size_t piece = 0; piece < replay.size(); ++piece) {
       if (tree.depth(piece) != replay[piece].depth) FAIL("depth of piece " << piece);
       for (std::size_t k = 0; k < tree.corner_count(); ++k) {
-        if (tree.corner(piece, k) != replay[piece].corners[k]) {
-          FAIL("corner " << k << " of piece " << piece << ": " << show(tree.corner(piece, k)));
+        if (tree.corner(piece, k).values() != replay[piece].corners[k]) {
+          FAIL("corner " << k << " of piece " << piece << ": " << show(tree.corner(piece, k).values()));
         }
       }
       deepest = std::max(deepest, static_cast<long>(tree.depth(piece)));
     }
     Rational area = 0;
     for (const std::size_t leaf : replay.leaves()) {
-      std::vector<Parameter> corners;
-      for (std::size_t k = 0; k < tree.corner_count(); ++k) corners.push_back(tree.corner(leaf, k));
+      std::vector<Values> corners;
+      for (std::size_t k = 0; k < tree.corner_count(); ++k) corners.push_back(tree.corner(leaf, k).values());
       const Rational piece_area = doubled_area(corners);
       CHECK(piece_area > 0);  // counter-clockwise
       CHECK(piece_area * powers(2, tree.depth(leaf)).back() == whole);
@@ -96,7 +97,7 @@ TEST_CASE("pieces of a subdivision have the corners of the replay and tile the d
 }
 
 TEST_CASE("newest vertex bisection makes at most four kinds of triangles up to similarity") {
-  const ControlNet net = identity_net({Domain::triangle, 1, 0});
+  const ControlNet net = identity_net(Shape::triangle(1));
   const Element element = bernstein_element(net);
   const Forms forms(element);
   JacobianTree tree(forms);
@@ -113,8 +114,8 @@ TEST_CASE("newest vertex bisection makes at most four kinds of triangles up to s
     for (const auto piece : level) {
       std::vector<Rational> sides;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Parameter a = tree.corner(piece, k);
-        const Parameter b = tree.corner(piece, (k + 1) % 3);
+        const Values a = tree.corner(piece, k).values();
+        const Values b = tree.corner(piece, (k + 1) % 3).values();
         sides.push_back((a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
       }
       std::sort(sides.begin(), sides.end());
@@ -140,7 +141,7 @@ TEST_CASE("the replayed coefficients are N on the piece: they give det J at its 
     const ExactNet exact = exact_net(element);
     for (const std::size_t leaf : replay.leaves()) {
       const auto local = random_parameter(random, net.shape.domain, true);
-      const Parameter at = replay.in_domain(leaf, local);
+      const Values at = replay.in_domain(leaf, local);
       Rational w = 1;
       if (exact.net.rational()) w = explicit_value(weight_polynomial(exact.net), at);
       const Rational n = explicit_value(replay[leaf].numerator, local);
@@ -230,13 +231,14 @@ TEST_CASE("a corner's sign is the sign of det J at its parameter, and proofs hol
     for (std::size_t piece = 0; piece < tree.piece_count(); ++piece) {
       const PieceSigns signs = tree.signs(piece);
       for (std::size_t k = 0; k < tree.corner_count(); ++k) {
-        if (direct_determinant(net, tree.corner(piece, k)).sign() != signs.corner[k]) FAIL("piece " << piece);
+        if (direct_determinant(net, tree.corner(piece, k).values()).sign() != signs.corner[k])
+          FAIL("piece " << piece);
         ++corners;
       }
       const bool up = tree.proves_positive(signs);
       const bool down = tree.proves_negative(signs);
       if (!up && !down) continue;
-      const Parameter at = replay.in_domain(piece, random_parameter(random, net.shape.domain, true));
+      const Values at = replay.in_domain(piece, random_parameter(random, net.shape.domain, true));
       if (direct_determinant(net, at).sign() != (up ? 1 : -1)) FAIL("det J at " << show(at));
       (up ? sampled_positive : sampled_negative) += 1;
     }
@@ -247,7 +249,7 @@ TEST_CASE("a corner's sign is the sign of det J at its parameter, and proofs hol
 }
 
 TEST_CASE("corners stay exact far down") {
-  for (const Shape shape : {Shape{Domain::triangle, 1, 0}, Shape{Domain::square, 1, 1}}) {
+  for (const Shape shape : {Shape::triangle(1), Shape::square(1, 1)}) {
     const ControlNet net = identity_net(shape);
     const Element element = bernstein_element(net);
     const Forms forms(element);
@@ -261,7 +263,7 @@ TEST_CASE("corners stay exact far down") {
     INFO(show(shape));
     CHECK(tree.depth(piece) == 150);
     for (std::size_t k = 0; k < tree.corner_count(); ++k)
-      CHECK(tree.corner(piece, k) == replay[piece].corners[k]);
+      CHECK(tree.corner(piece, k).values() == replay[piece].corners[k]);
     CHECK(tree.proves_positive(tree.signs(piece)));
   }
 }

@@ -14,7 +14,7 @@ using namespace bezcert::test;
 
 namespace {
 
-constexpr Shape linear{Domain::triangle, 1, 0};
+constexpr Shape linear = Shape::triangle(1);
 
 // Two triangles of a unit square.
 const std::vector<double> points = {0, 0, 1, 0, 1, 1, 0, 1};
@@ -96,7 +96,7 @@ TEST_CASE("weights, bases, shapes and rational numbers are those of a file") {
   builder.add_node({Rational(1, 3), 1});
   builder.add_node({0, 1});
   builder.add_element({Domain::triangle, 1, 7}, Basis::bernstein, {0, 1, 2});  // q means nothing here
-  builder.add_element({Domain::square, 1, 1}, Basis::lagrange, {0, 1, 3, 2});
+  builder.add_element(Shape::square(1, 1), Basis::lagrange, {0, 1, 3, 2});
   builder.origin().element_names = {"first", ""};
   const Mesh mesh = std::move(builder).build();
   require_equal(mesh, json);
@@ -152,19 +152,19 @@ TEST_CASE("elements that are no elements are refused") {
     return refusal([&](MeshBuilder& b) { with_nodes(b), b.add_element(shape, basis, {0, 1, 2}); });
   };
   CHECK(of_shape(linear).empty());
-  CHECK(of_shape({Domain::segment, 2, 0}) ==
+  CHECK(of_shape(Shape::segment(2)) ==
         "element 0: its domain is none of an element, expected a triangle or a square");
   CHECK(of_shape({static_cast<Domain>(77), 1, 1}) ==
         "element 0: its domain is none of an element, expected a triangle or a square");
-  CHECK(of_shape({Domain::triangle, 0, 0}) == "element 0: its degree is 0, expected 1 to 64");
-  CHECK(of_shape({Domain::triangle, 65, 0}) == "element 0: its degree is 65, expected 1 to 64");
-  CHECK(of_shape({Domain::square, 1, -3}) == "element 0: its degree is -3, expected 1 to 64");
-  CHECK(of_shape({Domain::square, std::numeric_limits<int>::max(), 1}) ==
+  CHECK(of_shape(Shape::triangle(0)) == "element 0: its degree is 0, expected 1 to 64");
+  CHECK(of_shape(Shape::triangle(65)) == "element 0: its degree is 65, expected 1 to 64");
+  CHECK(of_shape(Shape::square(1, -3)) == "element 0: its degree is -3, expected 1 to 64");
+  CHECK(of_shape(Shape::square(std::numeric_limits<int>::max(), 1)) ==
         "element 0: its degree is 2147483647, expected 1 to 64");
   CHECK(of_shape(linear, static_cast<Basis>(5)) ==
         "element 0: its basis is not known, expected bernstein or lagrange");
-  CHECK(of_shape({Domain::triangle, 2, 0}) == "element 0: 3 nodes, expected 6 of a triangle of degree 2");
-  CHECK(of_shape({Domain::square, 1, 2}) ==
+  CHECK(of_shape(Shape::triangle(2)) == "element 0: 3 nodes, expected 6 of a triangle of degree 2");
+  CHECK(of_shape(Shape::square(1, 2)) ==
         "element 0: 3 nodes, expected 6 of a quadrilateral of degrees 1 and 2");
   CHECK(refusal_of_indices<int>({0, 1, 2, 0, 2}) ==
         "element 1: 2 nodes are left, expected 3 of a triangle of degree 1");
@@ -204,7 +204,7 @@ TEST_CASE("rational elements in the Lagrange basis are refused if their control 
       for (const double v : {0.0, 1.0}) {
         for (const double u : {0.0, 0.5, 1.0}) b.add_node({u, v}, u == 0.5 ? w : 1);
       }
-      b.add_element({Domain::square, 2, 1}, Basis::lagrange, {0, 1, 2, 3, 4, 5});
+      b.add_element(Shape::square(2, 1), Basis::lagrange, {0, 1, 2, 3, 4, 5});
     });
   };
   CHECK(with_weight(0.75).empty());
@@ -240,7 +240,7 @@ TEST_CASE("whatever is handed in makes a mesh whose elements can all be made, or
             static_cast<Domain>(random.chance(97) ? random.integer(1, 2) : random.integer(-1, 4)), degree(),
             degree()};
         const std::size_t each =
-            shape.p > 0 && shape.q > 0 && shape.p < 9 && shape.q < 9 ? coefficient_count(shape) : 3;
+            shape.degree(0) > 0 && shape.degree(1) > 0 && shape.degree(0) < 9 && shape.degree(1) < 9 ? coefficient_count(shape) : 3;
         std::vector<std::int64_t> nodes(each * static_cast<std::size_t>(random.integer(0, 2)) +
                                         (random.chance(97) ? 0 : 1));
         for (std::int64_t& node : nodes)

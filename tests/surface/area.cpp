@@ -25,7 +25,7 @@ Mesh ring(const Rational& inner, const Rational& outer) {
     for (const Rational& r : {inner, outer}) nodes.push_back(builder.node(r * x, r * y, 1));
     for (const Rational& r : {inner, outer}) nodes.push_back(builder.node(r * (x + u), r * (y + v), 1));
     for (const Rational& r : {inner, outer}) nodes.push_back(builder.node(r * u, r * v, 2));
-    builder.add({Domain::square, 1, 2}, std::move(nodes));
+    builder.add(Shape::square(1, 2), std::move(nodes));
   }
   return builder.build(false);
 }

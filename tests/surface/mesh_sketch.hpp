@@ -34,10 +34,10 @@ class MeshSketch {
   /// Corners counter-clockwise; all edges of this degree (1 to 3). Returns the element's index.
   std::size_t triangle(Node a, Node b, Node c, int p = 1) {
     const std::array<std::vector<Node>, 3> sides = {side(a, b, p), side(b, c, p), side(c, a, p)};
-    std::vector<Node> nodes(coefficient_count({Domain::triangle, p, 0}));
+    std::vector<Node> nodes(coefficient_count(Shape::triangle(p)));
     for (int k = 0; k <= p; ++k) {
       const auto at = [&](int row, int column) -> Node& {
-        return nodes[coefficient_index({Domain::triangle, p, 0}, row, column)];
+        return nodes[coefficient_index(Shape::triangle(p), row, column)];
       };
       const auto i = static_cast<std::size_t>(k);
       at(0, k) = sides[0][i];
@@ -53,9 +53,9 @@ class MeshSketch {
         x -= x_[one[0]] / 6;
         y -= y_[one[0]] / 6;
       }
-      nodes[coefficient_index({Domain::triangle, 3, 0}, 1, 1)] = node(x, y);
+      nodes[coefficient_index(Shape::triangle(3), 1, 1)] = node(x, y);
     }
-    return add({Domain::triangle, p, 0}, std::move(nodes));
+    return add(Shape::triangle(p), std::move(nodes));
   }
 
   /// Corners counter-clockwise; degrees p along a b and c d, q along b c and d a. Inner points by Coons'
@@ -85,7 +85,7 @@ class MeshSketch {
         }
       }
     }
-    return add({Domain::square, p, q}, std::move(nodes));
+    return add(Shape::square(p, q), std::move(nodes));
   }
 
   /// An element of any shape with its nodes in coefficient order.
@@ -168,7 +168,7 @@ inline Examined examine(Mesh given) {
   std::vector<ElementState> states;
   for (std::size_t i = 0; i < mesh->elements().size(); ++i) {
     const Element element = mesh->element(i);
-    const ElementVerdict verdict = decide(Forms(element)).verdict;
+    const ElementVerdict verdict = decide(element).verdict;
     states.push_back(verdict == ElementVerdict::injective ? ElementState::injective
                      : is_invalid(verdict)                ? ElementState::invalid
                                                           : ElementState::open);

@@ -54,7 +54,7 @@ Mesh two_edges(Random& random) {
     const int n = static_cast<int>(random.integer(1, 8));
     const Basis basis = random.chance(50) ? Basis::lagrange : Basis::bernstein;
     const std::vector<double> values = rising(random, n);
-    const Shape shape{Domain::triangle, n, 0};
+    const Shape shape = Shape::triangle(n);
     const std::size_t first = mesh.x.size();
     for (std::size_t k = 0; k < coefficient_count(shape); ++k) {
       const int along = std::min(static_cast<int>(k), n);
@@ -64,7 +64,7 @@ Mesh two_edges(Random& random) {
         return scale * (origin + t * slope + noise * random.any_double(-1, 1));
       };
       if (element == 1 && k == 0) {
-        const auto joint = static_cast<std::size_t>(mesh.elements[0].shape.p);
+        const auto joint = static_cast<std::size_t>(mesh.elements[0].shape.degree(0));
         mesh.x.push_back(double(mesh.x.doubles()[joint]));
         mesh.y.push_back(double(mesh.y.doubles()[joint]));
       } else {
@@ -124,7 +124,7 @@ Mesh straight(Basis basis, std::initializer_list<std::pair<double, double>> firs
   for (const auto& side : {first, second}) {
     const std::size_t start = mesh.x.size();
     const int n = static_cast<int>(side.size()) - 1;
-    const Shape shape{Domain::triangle, n, 0};
+    const Shape shape = Shape::triangle(n);
     std::vector<std::pair<double, double>> points(side);
     points.resize(coefficient_count(shape), {0, 1});
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -178,7 +178,7 @@ TEST_CASE("where doubles do not tell, nothing is said") {
         std::tuple{50, Basis::lagrange, false}, std::tuple{5, Basis::lagrange, true}}) {
     MeshParts high;
     for (const int element : {0, 1}) {
-      const Shape shape{Domain::triangle, degree, 0};
+      const Shape shape = Shape::triangle(degree);
       const std::size_t first = high.x.size();
       for (std::size_t k = 0; k < coefficient_count(shape); ++k) {
         high.x.push_back(static_cast<double>(k) + element * degree);

@@ -75,15 +75,15 @@ int Bivariate::degree_u() const {
 }
 
 Bivariate to_power_basis(const Polynomial<Integer>& f) {
-  const int p = f.shape.p;
+  const int p = f.shape.degree(0);
   std::vector<Univariate> by_v;
   if (f.shape.domain == Domain::square) {
     // Each column to powers of v, then each row of those to powers of u.
-    std::vector<std::vector<Integer>> rows(static_cast<std::size_t>(f.shape.q) + 1,
+    std::vector<std::vector<Integer>> rows(static_cast<std::size_t>(f.shape.degree(1)) + 1,
                                            std::vector<Integer>(static_cast<std::size_t>(p) + 1, 0));
     for (int c = 0; c <= p; ++c) {
       std::vector<Integer> line;
-      for (int r = 0; r <= f.shape.q; ++r) line.push_back(f.at(r, c));
+      for (int r = 0; r <= f.shape.degree(1); ++r) line.push_back(f.at(r, c));
       const Univariate powers = from_bernstein(line);
       for (std::size_t k = 0; k < powers.coefficients.size(); ++k) {
         rows[k][static_cast<std::size_t>(c)] = powers.coefficients[k];

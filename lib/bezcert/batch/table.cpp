@@ -94,22 +94,19 @@ std::optional<Errors> static_errors_of(const BlockTable& table) {
 OwnedTable build(Shape shape, Basis basis, bool rational) {
   OwnedTable owned;
   const bool square = shape.domain == Domain::square;
-  const int degree = std::max(shape.p, shape.q);
+  const int degree = std::max(shape.degree(0), shape.degree(1));
   if (degree > max_block_degree || (rational && (square || basis == Basis::lagrange))) return owned;
   BlockTable& table = owned.table;
   table.kind = square ? Kind::square : rational ? Kind::rational_triangle : Kind::triangle;
-  table.p = shape.p;
-  table.q = shape.q;
+  table.p = shape.degree(0);
+  table.q = shape.degree(1);
   table.lagrange = basis == Basis::lagrange;
   table.midpoint = !rational && degree <= (square ? 1 : 2);
   if (table.lagrange) add_basis_change(owned, shape);
-  Shape along_u = shape, along_v = shape;
-  --along_u.p;
-  --(square ? along_v.q : along_v.p);
-  owned.along_u = multinomial_doubles(along_u);
-  owned.along_v = multinomial_doubles(along_v);
+  owned.along_u = multinomial_doubles(shape.raised(0, -1));
+  owned.along_v = multinomial_doubles(shape.raised(shape.factor_count() - 1, -1));
   owned.determinant = inverse_multinomials(numerator_shape(shape, rational), degree_factor(shape));
-  if (rational) owned.columns = inverse_multinomials({Domain::triangle, 2 * shape.p - 1, 0}, 1);
+  if (rational) owned.columns = inverse_multinomials(Shape::triangle(2 * shape.degree(0) - 1), 1);
   table.row_start = owned.row_start.data();
   table.column = owned.column.data();
   table.value = owned.value.data();

@@ -10,16 +10,19 @@ Integer binomial(int n, int k) {
 }
 
 std::vector<Integer> multinomials(Shape shape) {
-  std::vector<Integer> result;
-  result.reserve(coefficient_count(shape));
-  for (int r = 0; r < row_count(shape); ++r) {
-    for (int c = 0; c < column_count(shape, r); ++c) {
-      if (shape.domain == Domain::triangle) {
-        result.push_back(binomial(shape.p, r) * binomial(shape.p - r, c));
-      } else {
-        result.push_back(binomial(shape.q, r) * binomial(shape.p, c));
+  std::vector<Integer> result = {Integer(1)};
+  for (int f = 0; f < shape.factor_count(); ++f) {
+    const std::vector<Integer> before = std::move(result);
+    result.clear();
+    for_each_simplex_point(shape.domain.simplex(f), shape.degree(f), [&](const SimplexPoint& at) {
+      Integer multinomial = 1;
+      int rest = shape.degree(f);
+      for (const int exponent : at.exponents) {
+        multinomial *= binomial(rest, exponent);
+        rest -= exponent;
       }
-    }
+      for (const Integer& other : before) result.push_back(multinomial * other);
+    });
   }
   return result;
 }

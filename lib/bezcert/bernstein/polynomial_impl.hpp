@@ -8,27 +8,36 @@
 namespace bezcert {
 namespace detail {
 
-// Calls visit(first index, stride, count) for every line of coefficients along one direction of a
-// segment or square.
+// Calls visit(first in `from`, first in `to`, stride) for every copy of a factor's coefficients in two shapes
+// that differ in that factor's degree: the j-th coefficient is at first + j * stride.
 template <class Visit>
-void for_each_line(Shape shape, int direction, Visit visit) {
-  const auto columns = static_cast<std::size_t>(shape.p) + 1;
-  const auto rows = static_cast<std::size_t>(shape.q) + 1;
-  if (direction == 0) {
-    for (std::size_t r = 0; r < rows; ++r) visit(r * columns, std::size_t{1}, columns);
-  } else {
-    for (std::size_t c = 0; c < columns; ++c) visit(c, columns, rows);
+void for_each_copy(Shape from, Shape to, int factor, Visit visit) {
+  std::size_t stride = 1;
+  for (int f = 0; f < factor; ++f) stride *= coefficient_count(from, f);
+  const std::size_t count = coefficient_count(from, factor), to_count = coefficient_count(to, factor);
+  const std::size_t end = coefficient_count(from) / count;
+  for (std::size_t i = 0; i < end; ++i) {
+    const std::size_t outer = i / stride, inner = i % stride;
+    visit(outer * stride * count + inner, outer * stride * to_count + inner, stride);
   }
 }
 
-inline Shape lowered(Shape shape, int direction) {
-  if (shape.domain == Domain::square && direction == 1) {
-    --shape.q;
-  } else {
-    --shape.p;
-  }
-  if (shape.p < 0 || shape.q < 0) throw std::invalid_argument("differentiate: the degree is 0");
-  return shape;
+// Calls visit(first, stride, count) for every line of coefficients towards corner 1 of a factor.
+template <class Visit>
+void for_each_line(Shape shape, int factor, Visit visit) {
+  for_each_copy(shape, shape, factor, [&](std::size_t first, std::size_t, std::size_t stride) {
+    for_each_simplex_line(shape.domain.simplex(factor), shape.degree(factor),
+                          [&](std::size_t line, std::size_t count, const auto&) {
+                            visit(first + line * stride, stride, count);
+                          });
+  });
+}
+
+// The shape of the derivative by an affine coordinate.
+inline Shape lowered(Shape shape, int coordinate) {
+  const int factor = factor_of_coordinate(shape.domain, coordinate);
+  if (shape.degree(factor) <= 0) throw std::invalid_argument("differentiate: the degree is 0");
+  return shape.raised(factor, -1);
 }
 
 // de Casteljau at t on coefficients[first], [first + stride], ...: the left part replaces them, the right
@@ -49,82 +58,72 @@ void split_line(std::vector<T>& left, std::vector<T>& right, std::size_t first, 
 }  // namespace detail
 
 template <class T>
+Polynomial<T> collapse(Polynomial<T> f, int factor, const T* t, int to) {
+  const int dimension = f.shape.domain.simplex(factor), degree = f.shape.degree(factor);
+  if (degree == to) return f;
+  Polynomial<T> result;  // every coefficient is moved into: no zeros are made
+  result.shape = f.shape.raised(factor, to - degree);
+  result.coefficients.resize(coefficient_count(result.shape));
+  std::vector<T>& c = f.coefficients;
+  detail::for_each_copy(f.shape, result.shape, factor,
+                        [&](std::size_t first, std::size_t result_first, std::size_t stride) {
+                          for (int level = degree - 1; level >= to; --level) {
+                            for_each_simplex_point(dimension, level, [&](const SimplexPoint& at) {
+                              T sum = t[0] * c[first + at.raised[0] * stride];
+                              for (int k = 1; k <= dimension; ++k) {
+                                const auto corner = static_cast<std::size_t>(k);
+                                sum += t[corner] * c[first + at.raised[corner] * stride];
+                              }
+                              c[first + at.position * stride] = std::move(sum);
+                            });
+                          }
+                          for (std::size_t i = 0; i < simplex_count(dimension, to); ++i) {
+                            result.coefficients[result_first + i * stride] = std::move(c[first + i * stride]);
+                          }
+                        });
+  return result;
+}
+
+template <class T>
 T evaluate(const Polynomial<T>& f, const std::vector<T>& parameter) {
-  const Shape shape = f.shape;
-  std::vector<T> c = f.coefficients;
-  if (shape.domain == Domain::triangle) {
-    if (parameter.size() != 3) throw std::invalid_argument("evaluate: three parameters expected");
-    for (Shape level = shape; level.p > 0; --level.p) {
-      const Shape next{Domain::triangle, level.p - 1, 0};
-      for (int r = 0; r < level.p; ++r) {
-        for (int col = 0; col < level.p - r; ++col) {
-          c[coefficient_index(next, r, col)] = parameter[0] * c[coefficient_index(level, r, col)] +
-                                               parameter[1] * c[coefficient_index(level, r, col + 1)] +
-                                               parameter[2] * c[coefficient_index(level, r + 1, col)];
-        }
-      }
-    }
-    return c[0];
+  const Domain domain = f.shape.domain;
+  if (parameter.size() != parameter_size(domain)) {
+    throw std::invalid_argument("evaluate: the number of parameters does not fit the domain");
   }
-  const std::size_t expected = shape.domain == Domain::segment ? 1 : 2;
-  if (parameter.size() != expected) throw std::invalid_argument("evaluate: wrong number of parameters");
-  const auto columns = static_cast<std::size_t>(shape.p) + 1;
-  const auto rows = static_cast<std::size_t>(shape.q) + 1;
-  const auto collapse = [&c](std::size_t first, std::size_t stride, std::size_t count, const T& t) {
-    const T s = T(1) - t;
-    for (std::size_t n = count; n > 1; --n) {
-      for (std::size_t i = 0; i + 1 < n; ++i) {
-        c[first + i * stride] = s * c[first + i * stride] + t * c[first + (i + 1) * stride];
-      }
+  Polynomial<T> rest = f;
+  const T* next = parameter.data();
+  for (int factor = 0; factor < f.shape.factor_count(); ++factor) {
+    if (domain.simplex(factor) == 1) {
+      const std::array<T, 2> t{T(1) - *next, *next};
+      rest = collapse(std::move(rest), factor, t.data(), 0);
+      ++next;
+    } else {
+      rest = collapse(std::move(rest), factor, next, 0);
+      next += domain.simplex(factor) + 1;
     }
-  };
-  for (std::size_t r = 0; r < rows; ++r) collapse(r * columns, 1, columns, parameter[0]);
-  if (shape.domain == Domain::square) collapse(0, columns, rows, parameter[1]);
-  return c[0];
+  }
+  return rest.coefficients[0];
 }
 
 template <class T>
 Polynomial<T> elevate(const Polynomial<T>& f, int times) {
   Polynomial<T> result = f;
-  for (int k = 0; k < times; ++k) {
+  for (int k = 0; k < times * f.shape.factor_count(); ++k) {
+    const int factor = k % f.shape.factor_count();
     const Polynomial<T> g = std::move(result);
-    if (g.shape.domain == Domain::triangle) {
-      const int degree = g.shape.p + 1;
-      result = Polynomial<T>(Shape{Domain::triangle, degree, 0});
-      for (int r = 0; r <= degree; ++r) {
-        for (int c = 0; c <= degree - r; ++c) {
-          T sum(0);
-          if (degree - r - c > 0) sum += T(degree - r - c) * g.at(r, c);
-          if (c > 0) sum += T(c) * g.at(r, c - 1);
-          if (r > 0) sum += T(r) * g.at(r - 1, c);
-          result.at(r, c) = sum / T(degree);
-        }
-      }
-      continue;
-    }
-    const Shape wider{g.shape.domain, g.shape.p + 1, g.shape.q};
-    Polynomial<T> along_u(wider);
-    for (int r = 0; r <= g.shape.q; ++r) {
-      for (int c = 0; c <= wider.p; ++c) {
-        T sum(0);
-        if (c < wider.p) sum += T(wider.p - c) * g.at(r, c);
-        if (c > 0) sum += T(c) * g.at(r, c - 1);
-        along_u.at(r, c) = sum / T(wider.p);
-      }
-    }
-    if (g.shape.domain == Domain::segment) {
-      result = std::move(along_u);
-      continue;
-    }
-    result = Polynomial<T>(Shape{Domain::square, wider.p, wider.q + 1});
-    for (int r = 0; r <= result.shape.q; ++r) {
-      for (int c = 0; c <= wider.p; ++c) {
-        T sum(0);
-        if (r < result.shape.q) sum += T(result.shape.q - r) * along_u.at(r, c);
-        if (r > 0) sum += T(r) * along_u.at(r - 1, c);
-        result.at(r, c) = sum / T(result.shape.q);
-      }
-    }
+    const int dimension = g.shape.domain.simplex(factor), degree = g.shape.degree(factor);
+    result = Polynomial<T>(g.shape.raised(factor, 1));
+    detail::for_each_copy(g.shape, result.shape, factor,
+                          [&](std::size_t from, std::size_t to, std::size_t stride) {
+                            for_each_simplex_point(dimension, degree, [&](const SimplexPoint& at) {
+                              for (int corner = 0; corner <= dimension; ++corner) {
+                                const auto i = static_cast<std::size_t>(corner);
+                                result.coefficients[to + at.raised[i] * stride] +=
+                                    T(at.exponents[i] + 1) * g.coefficients[from + at.position * stride];
+                              }
+                            });
+                          });
+    for (T& c : result.coefficients) c = c / T(degree + 1);
   }
   return result;
 }
@@ -149,33 +148,33 @@ Polynomial<T> multiply(const Polynomial<T>& f, const Polynomial<T>& g) {
 }
 
 template <class T>
-Polynomial<T> differentiate(const Polynomial<T>& f, int direction) {
-  Polynomial<T> result(detail::lowered(f.shape, direction));
-  const bool along_rows = direction == 0;
-  const T degree(along_rows || f.shape.domain == Domain::triangle ? f.shape.p : f.shape.q);
-  for (int r = 0; r < row_count(result.shape); ++r) {
-    for (int c = 0; c < column_count(result.shape, r); ++c) {
-      const T& next = along_rows ? f.at(r, c + 1) : f.at(r + 1, c);
-      result.at(r, c) = degree * (next - f.at(r, c));
-    }
-  }
+Polynomial<T> differentiate(const Polynomial<T>& f, int coordinate) {
+  Polynomial<T> result;
+  result.shape = detail::lowered(f.shape, coordinate);
+  result.coefficients.resize(coefficient_count(result.shape));
+  const int factor = factor_of_coordinate(f.shape.domain, coordinate);
+  std::size_t corner = static_cast<std::size_t>(coordinate) + 1;
+  for (int k = 0; k < factor; ++k) corner -= static_cast<std::size_t>(f.shape.domain.simplex(k));
+  const T degree(f.shape.degree(factor));
+  detail::for_each_copy(
+      f.shape, result.shape, factor, [&](std::size_t from, std::size_t to, std::size_t stride) {
+        for_each_simplex_point(f.shape.domain.simplex(factor), result.shape.degree(factor),
+                               [&](const SimplexPoint& at) {
+                                 result.coefficients[to + at.position * stride] =
+                                     degree * (f.coefficients[from + at.raised[corner] * stride] -
+                                               f.coefficients[from + at.raised[0] * stride]);
+                               });
+      });
   return result;
 }
 
 template <class T>
-std::pair<Polynomial<T>, Polynomial<T>> split(const Polynomial<T>& f, const T& t, int direction) {
+std::pair<Polynomial<T>, Polynomial<T>> split(const Polynomial<T>& f, const T& t, int factor) {
   Polynomial<T> left = f;
   Polynomial<T> right = f;
-  if (f.shape.domain == Domain::triangle) {
-    for (int r = 0; r <= f.shape.p; ++r) {
-      detail::split_line(left.coefficients, right.coefficients, coefficient_index(f.shape, r, 0), 1,
-                         static_cast<std::size_t>(f.shape.p - r) + 1, t);
-    }
-  } else {
-    detail::for_each_line(f.shape, direction, [&](std::size_t first, std::size_t stride, std::size_t count) {
-      detail::split_line(left.coefficients, right.coefficients, first, stride, count, t);
-    });
-  }
+  detail::for_each_line(f.shape, factor, [&](std::size_t first, std::size_t stride, std::size_t count) {
+    detail::split_line(left.coefficients, right.coefficients, first, stride, count, t);
+  });
   return {std::move(left), std::move(right)};
 }
 

@@ -15,33 +15,36 @@ template <class Table>
 class TableCache {
  public:
   /// The table of a shape; `build(shape)` makes it the first time. Safe from several threads, which do not
-  /// wait for each other where a table of small degree is there.
+  /// wait for each other where the table is the first of its slot, as those of small planar shapes are.
   template <class Build>
   const Table& get(Shape shape, Build build) {
-    std::atomic<const Table*>* quick = small_slot(shape);
-    if (quick) {
-      if (const Table* table = quick->load(std::memory_order_acquire)) return *table;
-    }
+    std::atomic<const Entry*>& slot = slots_[slot_of(shape)];
+    const Entry* quick = slot.load(std::memory_order_acquire);
+    if (quick && quick->first == shape) return *quick->second;
     const std::lock_guard lock(mutex_);
-    auto& slot = tables_[shape];
-    if (!slot) slot = std::make_unique<const Table>(build(shape));
-    if (quick) quick->store(slot.get(), std::memory_order_release);
-    return *slot;
+    Entry& entry = *tables_.try_emplace(shape).first;  // stays where it is
+    if (!entry.second) entry.second = std::make_unique<const Table>(build(shape));
+    if (!quick) slot.store(&entry, std::memory_order_release);
+    return *entry.second;
   }
 
  private:
-  static constexpr int small = 32;
+  using Tables = std::map<Shape, std::unique_ptr<const Table>>;
+  using Entry = typename Tables::value_type;
 
-  std::atomic<const Table*>* small_slot(Shape shape) {
-    if (shape.p < 0 || shape.p >= small || shape.q < 0 || shape.q >= small) return nullptr;
-    return &small_[(static_cast<std::size_t>(shape.domain) * small + static_cast<std::size_t>(shape.p)) *
-                       small +
-                   static_cast<std::size_t>(shape.q)];
+  static constexpr std::size_t slot_count = 4 * 32 * 32;
+
+  // No two of segments, triangles and squares of degrees below 32 share a slot.
+  static std::size_t slot_of(Shape shape) {
+    const Domain domain = shape.domain;
+    const int kind = domain.simplex(0) ^ domain.simplex(1) << 1 ^ domain.simplex(2);
+    return static_cast<std::size_t>((kind * 32 + shape.degree(0)) * 32 + shape.degree(1) + shape.degree(2)) %
+           slot_count;
   }
 
   std::mutex mutex_;
-  std::map<Shape, std::unique_ptr<const Table>> tables_;
-  std::array<std::atomic<const Table*>, std::size_t{3} * small * small> small_{};
+  Tables tables_;
+  std::array<std::atomic<const Entry*>, slot_count> slots_{};
 };
 
 }  // namespace bezcert

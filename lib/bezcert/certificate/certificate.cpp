@@ -22,8 +22,8 @@ Evidence injective_evidence(const Forms& forms, const Decision& decision) {
 
 // "u v", without what the barycentric coordinates have too much.
 std::string uv_text(const Parameter& parameter) {
-  const std::size_t first = parameter.size() - 2;
-  return to_string(parameter[first]) + ' ' + to_string(parameter[first + 1]);
+  const std::vector<Rational> uv = parameter.affine();
+  return to_string(uv[0]) + ' ' + to_string(uv[1]);
 }
 
 // The hull condition shows det J > 0 as well.

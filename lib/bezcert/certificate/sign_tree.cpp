@@ -31,7 +31,7 @@ Polynomial<Integer> to_bernstein(const Bivariate& f, Domain domain) {
   const bool triangle = domain == Domain::triangle;
   const int p = triangle ? total : std::max(f.degree_u(), 0);
   const int q = triangle ? 0 : f.degree_v();
-  Polynomial<Integer> result(Shape{domain, p, q});
+  Polynomial<Integer> result(Shape(domain, p, q));
   // u^i v^k times a power of 1 = xi_0 + u + v, or of 1 = (1-u) + u and 1 = (1-v) + v, expanded: scaled
   // coefficients.
   for (int k = 0; k <= f.degree_v(); ++k) {
@@ -66,7 +66,7 @@ std::optional<std::string> sign_tree(const Polynomial<Integer>& f, Strictness wa
     int depth;
   };
   const auto corners = corner_indices(f.shape);
-  const auto additions = static_cast<std::size_t>(f.shape.p + f.shape.q) / 2 + 1;
+  const auto additions = static_cast<std::size_t>(f.shape.degree(0) + f.shape.degree(1)) / 2 + 1;
   std::vector<Task> stack;
   stack.push_back({f, 0});
   std::string bits;
@@ -86,7 +86,7 @@ std::optional<std::string> sign_tree(const Polynomial<Integer>& f, Strictness wa
     pieces += 2;
     if (task.depth >= limits.depth || pieces > limits.pieces || work > limits.work) return std::nullopt;
     bits += '1';
-    auto [first, second] = bisect(task.f, task.depth % 2);
+    auto [first, second] = bisect(task.f, factor_to_cut(task.f.shape.domain, task.depth));
     shorten(first.coefficients);
     shorten(second.coefficients);
     stack.push_back({std::move(second), task.depth + 1});

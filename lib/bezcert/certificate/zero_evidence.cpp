@@ -2,6 +2,7 @@
 
 #include "bezcert/algebra/algebraic_point.hpp"
 #include "bezcert/certificate/evidence_text.hpp"
+#include "bezcert/element/forms.hpp"
 
 namespace bezcert {
 namespace {
@@ -67,9 +68,8 @@ std::optional<std::string> text_of_zero(const Forms& forms, const PlanarPoint& a
 
 std::optional<std::string> zero_evidence(const Forms& forms, const Decision& decision) {
   if (decision.witness && decision.witness->determinant.is_zero()) {
-    const Parameter& at = decision.witness->parameter;
-    const std::size_t first = at.size() - 2;
-    return text_at(at[first], at[first + 1]);
+    const std::vector<Rational> uv = decision.witness->parameter.affine();
+    return text_at(uv[0], uv[1]);
   }
   if (!decision.zero) return std::nullopt;
   return text_of_zero(forms, decision.zero->at);

@@ -1,6 +1,7 @@
 #include "bezcert/check/check_mesh.hpp"
 
 #include "bezcert/parallel/in_order.hpp"
+#include "bezcert/surface/embedding.hpp"
 
 #include <algorithm>
 #include <iterator>

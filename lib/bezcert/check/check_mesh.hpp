@@ -10,7 +10,7 @@
 #include "bezcert/check/counts.hpp"
 #include "bezcert/check/observer.hpp"
 #include "bezcert/surface/domain.hpp"
-#include "bezcert/surface/embedding.hpp"
+#include "bezcert/surface/mesh_result.hpp"
 #include "bezcert/parallel/executor.hpp"
 
 #include <optional>

@@ -1,6 +1,7 @@
 #include "bezcert/check/cross_check.hpp"
 
 #include "bezcert/check/mesh_decider.hpp"
+#include "bezcert/criterion/quick_net.hpp"
 
 #include <algorithm>
 

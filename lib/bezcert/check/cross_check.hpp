@@ -3,7 +3,9 @@
 
 #include "bezcert/criterion/criterion.hpp"
 #include "bezcert/decide/decide.hpp"
-#include "bezcert/surface/embedding.hpp"
+#include "bezcert/mesh/mesh.hpp"
+#include "bezcert/number/filter.hpp"
+#include "bezcert/verdict/mesh_verdict.hpp"
 
 #include <functional>
 #include <span>

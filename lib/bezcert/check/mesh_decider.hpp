@@ -4,6 +4,7 @@
 
 #include "bezcert/batch/batch.hpp"
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/mesh/mesh.hpp"
 
 #include <functional>

@@ -1,5 +1,7 @@
 #include "bezcert/criterion/coefficients.hpp"
 
+#include "bezcert/criterion/quick_net.hpp"
+
 #include <algorithm>
 
 namespace bezcert {
@@ -23,7 +25,7 @@ Verdict coefficients(const Forms& forms) {
     const auto corner = static_cast<std::size_t>(
         std::find_if_not(signs.corner.begin(), signs.corner.end(), is_positive) - signs.corner.begin());
     verdict.reason = "det J <= 0 at corner " + std::to_string(corner);
-    verdict.witness = make_witness(forms.element(), tree.corner(JacobianTree::root, corner));
+    verdict.witness = make_witness(forms.exact(), tree.corner(JacobianTree::root, corner));
   } else if (verdict.status == Status::inconclusive) {
     verdict.reason = "a Bernstein coefficient of N is negative";
   }

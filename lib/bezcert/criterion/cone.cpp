@@ -1,6 +1,7 @@
 #include "bezcert/criterion/cone.hpp"
 
 #include "bezcert/criterion/form_signs.hpp"
+#include "bezcert/criterion/quick_net.hpp"
 
 #include <array>
 

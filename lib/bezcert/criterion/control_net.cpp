@@ -1,6 +1,7 @@
 #include "bezcert/criterion/control_net.hpp"
 
 #include "bezcert/criterion/form_signs.hpp"
+#include "bezcert/criterion/quick_net.hpp"
 
 namespace bezcert {
 namespace {
@@ -12,9 +13,10 @@ struct Failure {
 
 template <class Signs>
 std::optional<Failure> failure(const Signs& signs) {
-  const Shape shape{Domain::triangle, signs.degree(), 0};
-  for (int r = 0; r < shape.p; ++r) {
-    for (int c = 0; c < shape.p - r; ++c) {
+  const int n = signs.degree();
+  const Shape shape = Shape::triangle(n);
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n - r; ++c) {
       const std::size_t corner = coefficient_index(shape, r, c), right = coefficient_index(shape, r, c + 1),
                         up = coefficient_index(shape, r + 1, c);
       const int turn = signs.orientation(corner, right, up);
@@ -34,10 +36,11 @@ Verdict control_net(const Forms& forms) {
   }
   const auto failed = failure(FormSigns(forms));
   if (!failed) return begin_verdict(control_net_info, Status::proved);
-  return begin_verdict(control_net_info, Status::inconclusive,
-                       "control triangle " +
-                           exponents_text(element.shape().p, {failed->corner, failed->right, failed->up}) +
-                           (failed->turn == 0 ? " is degenerate" : " is clockwise"));
+  return begin_verdict(
+      control_net_info, Status::inconclusive,
+      "control triangle " +
+          exponents_text(element.shape().degree(0), {failed->corner, failed->right, failed->up}) +
+          (failed->turn == 0 ? " is degenerate" : " is clockwise"));
 }
 
 std::optional<Status> quick_control_net(const QuickNet& net) {

@@ -7,8 +7,6 @@
 // registry.cpp.
 #pragma once
 
-#include "bezcert/criterion/quick_net.hpp"
-#include "bezcert/element/forms.hpp"
 #include "bezcert/verdict/criterion_verdict.hpp"
 
 #include <optional>
@@ -17,6 +15,9 @@
 #include <vector>
 
 namespace bezcert {
+
+class Forms;
+class QuickNet;
 
 using Check = Verdict (*)(const Forms&);
 /// The status alone, or nothing if this net does not tell it.

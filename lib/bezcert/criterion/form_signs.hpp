@@ -6,10 +6,9 @@
 //   forward(a, b, c, d)       the sign of (p_b - p_a) . (p_d - p_c);
 //   orientation(a, b, c)      the orientation of three points;
 //   equal_weights(a, b)       whether two points have the same weight;
-//   auxiliary(edge, j)        the point p'_j = (1 - w_j) o + w_j p_j, o the middle of the edge's end points,
-//   if both
-//                             ends have the weight of the tip, by which weights are divided: p_j if not
-//                             rational.
+//   auxiliary(edge, j)        p'_j = (1 - w_j) o + w_j p_j, for weights divided by that of the tip, which
+//   both
+//                             ends must have; o is the middle of the ends. p_j where not rational.
 // Points are positions in the net, or what `auxiliary` gives. All signs are exact.
 #pragma once
 
@@ -24,7 +23,7 @@ class FormSigns {
   /// Keeps a reference. Precondition: a triangle.
   explicit FormSigns(const Forms& forms) : forms_(forms) {}
 
-  int degree() const { return forms_.element().shape().p; }
+  int degree() const { return forms_.element().shape().degree(0); }
   bool rational() const { return forms_.element().rational(); }
 
   int turn(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
@@ -37,7 +36,8 @@ class FormSigns {
     return forms_.sign_of([&](const auto& net) { return bezcert::orientation(net, a, b, c); });
   }
   bool equal_weights(std::size_t a, std::size_t b) const {
-    return !rational() || forms_.sign_of([&](const auto& net) { return net.w[a] - net.w[b]; }) == 0;
+    return !rational() ||
+           forms_.sign_of([&](const auto& net) { return net.weights[a] - net.weights[b]; }) == 0;
   }
   std::size_t auxiliary(int edge, int j) const {
     if (!rational()) return edge_index(degree(), edge, 0, j);
@@ -52,23 +52,25 @@ class FormSigns {
 
   template <class T>
   static Point<T> point(const Net<T>& net, std::size_t a) {
-    if (a < net.x.size()) return {net.x[a], net.y[a], net.w[a]};
+    const std::vector<T>&x = net.coordinates[0], &y = net.coordinates[1], &w = net.weights;
+    if (a < x.size()) return {x[a], y[a], w[a]};
     // With omega the weight of the tip and of both ends, X = w p:
     // 2 omega^2 p'_j = (omega - w_j) (X_0 + X_n) + 2 omega X_j.
-    const int n = net.shape.p, place = static_cast<int>(a - net.x.size());
-    const int edge = place / (n + 1);
+    const int n = net.shape.degree(0), place = static_cast<int>(a - x.size()), edge = place / (n + 1);
     const std::size_t first = edge_index(n, edge, 0, 0), last = edge_index(n, edge, 0, n),
                       at = edge_index(n, edge, 0, place % (n + 1));
-    const T& omega = net.w[edge_index(n, edge, n, 0)];
-    const T missing = omega - net.w[at], twice = T(2) * omega;
-    return {missing * (net.x[first] + net.x[last]) + twice * net.x[at],
-            missing * (net.y[first] + net.y[last]) + twice * net.y[at], twice * omega};
+    const T& omega = w[edge_index(n, edge, n, 0)];
+    const T missing = omega - w[at], twice = T(2) * omega;
+    return {missing * (x[first] + x[last]) + twice * x[at], missing * (y[first] + y[last]) + twice * y[at],
+            twice * omega};
   }
 
   // p_b - p_a times a positive number.
   template <class T>
   static Vector2<T> between(const Net<T>& net, std::size_t a, std::size_t b) {
-    if (!net.rational()) return {net.x[b] - net.x[a], net.y[b] - net.y[a]};
+    if (!net.rational()) {
+      return {net.coordinates[0][b] - net.coordinates[0][a], net.coordinates[1][b] - net.coordinates[1][a]};
+    }
     const Point<T> p = point(net, a), q = point(net, b);
     return {q.x * p.w - p.x * q.w, q.y * p.w - p.y * q.w};
   }

@@ -2,6 +2,7 @@
 
 #include "bezcert/bernstein/table_cache.hpp"
 #include "bezcert/criterion/form_signs.hpp"
+#include "bezcert/criterion/quick_net.hpp"
 
 #include <array>
 
@@ -36,7 +37,7 @@ Triple corner_triple(int n, int corner) {
 // returns false.
 template <class Visit>
 void for_each_triple(int n, Visit visit) {
-  const std::size_t count = coefficient_count({Domain::triangle, n, 0});
+  const std::size_t count = coefficient_count(Shape::triangle(n));
   std::vector<Exponents> exponents;
   for (std::size_t i = 0; i < count; ++i) exponents.push_back(triangle_exponents(n, i));
   for (std::uint16_t a = 0; a < count; ++a) {
@@ -51,9 +52,9 @@ void for_each_triple(int n, Visit visit) {
 
 const std::vector<Triple>& triples_of(int n) {
   static TableCache<std::vector<Triple>> cache;
-  return cache.get({Domain::triangle, n, 0}, [](Shape shape) {
+  return cache.get(Shape::triangle(n), [](Shape shape) {
     std::vector<Triple> result;
-    for_each_triple(shape.p, [&](const Triple& triple) {
+    for_each_triple(shape.degree(0), [&](const Triple& triple) {
       result.push_back(triple);
       return true;
     });

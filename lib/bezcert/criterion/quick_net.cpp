@@ -85,15 +85,15 @@ T coefficient_of(const Tables& tables, std::uint32_t at, std::uint32_t end, Betw
 // N = (F_1 - F_0) x (F_2 - F_0): coefficient k is a mean of products of coefficients i + j = k, with
 // factors C_i C_j (docs/jacobian.md).
 void add_numerator(Shape shape, Tables& result) {
-  const Shape sub{Domain::triangle, shape.p - 1, 0}, whole{Domain::triangle, 2 * (shape.p - 1), 0};
+  const Shape sub = Shape::triangle(shape.degree(0) - 1), whole = Shape::triangle(2 * sub.degree(0));
   const std::vector<Integer> factors = multinomials(sub);
   const auto at = [&](int r, int c) { return static_cast<std::uint16_t>(coefficient_index(shape, r, c)); };
   for (int r = 0; r < row_count(whole); ++r) {
     for (int c = 0; c < column_count(whole, r); ++c) {
-      for (int ri = 0; ri <= std::min(r, sub.p); ++ri) {
+      for (int ri = 0; ri <= std::min(r, sub.degree(0)); ++ri) {
         for (int ci = 0; ci < column_count(sub, ri) && ci <= c; ++ci) {
           const int rj = r - ri, cj = c - ci;
-          if (rj > sub.p || cj >= column_count(sub, rj)) continue;
+          if (rj > sub.degree(0) || cj >= column_count(sub, rj)) continue;
           const Integer factor =
               factors[coefficient_index(sub, ri, ci)] * factors[coefficient_index(sub, rj, cj)];
           result.products.push_back(
@@ -212,10 +212,10 @@ int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
 
 bool QuickNet::load(Shape shape, Basis basis, std::span<const double> x, std::span<const double> y,
                     std::span<const std::uint32_t> nodes) {
-  if (shape.domain != Domain::triangle || shape.p < 1 || shape.p > max_degree) return false;
+  if (shape.domain != Domain::triangle || shape.degree(0) < 1 || shape.degree(0) > max_degree) return false;
   tables_ = &tables_of(shape, basis);
   if (!tables_->fits) return false;
-  degree_ = shape.p;
+  degree_ = shape.degree(0);
 
   // The exponents: integers over 2^exponent_ are to have less than 125 bits as control points.
   int lowest = 4096, highest = -4096;

@@ -1,6 +1,7 @@
 #include "bezcert/criterion/subdivision.hpp"
 
 #include "bezcert/criterion/coefficients.hpp"
+#include "bezcert/element/forms.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -124,7 +125,7 @@ Verdict subdivision(const Forms& forms, const SubdivisionOptions& options) {
   verdict.bounds = search.bounds();
   if (search.witness()) {
     verdict.status = Status::refuted;
-    verdict.witness = make_witness(forms.element(), *search.witness());
+    verdict.witness = make_witness(forms.exact(), *search.witness());
     verdict.reason = "det J <= 0 at " + to_string(verdict.witness->parameter);
   } else if (search.proved()) {
     verdict.status = Status::proved;

@@ -13,7 +13,7 @@ namespace bezcert {
 using Exponents = std::array<int, 3>;
 
 inline std::size_t triangle_index(int degree, const Exponents& exponents) {
-  return coefficient_index({Domain::triangle, degree, 0}, exponents[2], exponents[1]);
+  return coefficient_index(Shape::triangle(degree), exponents[2], exponents[1]);
 }
 
 inline Exponents triangle_exponents(int degree, std::size_t index) {

@@ -1,5 +1,7 @@
 #include "bezcert/curve/area.hpp"
 
+#include "bezcert/curve/dyadic_curve.hpp"
+
 #include "bezcert/bernstein/multinomial.hpp"
 
 #include <algorithm>

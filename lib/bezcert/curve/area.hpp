@@ -6,9 +6,14 @@
 // shrinks that fast. docs/mesh.md.
 #pragma once
 
-#include "bezcert/curve/dyadic_curve.hpp"
+#include "bezcert/number/rational.hpp"
+
+#include <utility>
+#include <vector>
 
 namespace bezcert {
+
+class DyadicCurve;
 
 /// lower <= area <= upper; equal where all curves are polynomial.
 struct AreaBounds {

@@ -9,9 +9,9 @@ template <class T>
 CurveNet<T> edge_net(const Net<T>& net, int edge) {
   CurveNet<T> result;
   for (const std::size_t i : edge_positions(net.shape, edge)) {
-    result.x.push_back(net.x[i]);
-    result.y.push_back(net.y[i]);
-    result.w.push_back(net.rational() ? net.w[i] : T(1));
+    result.x.push_back(net.coordinates[0][i]);
+    result.y.push_back(net.coordinates[1][i]);
+    result.w.push_back(net.rational() ? net.weights[i] : T(1));
   }
   return result;
 }
@@ -65,19 +65,11 @@ BoundaryResult examine_boundary(const Forms& forms, const ContactBudget& budget)
 }
 
 Parameter boundary_parameter(const Element& element, int edge, const Rational& t) {
-  const Rational s = 1 - t;
-  if (element.is_triangle()) {
-    Parameter result(3);
-    result[edge] = s;
-    result[(edge + 1) % 3] = t;
-    return result;
-  }
-  switch (edge) {
-    case 0: return {t, 0};
-    case 1: return {1, t};
-    case 2: return {s, 1};
-    default: return {0, s};
-  }
+  const Domain domain = element.shape().domain;
+  const DomainCorners corners = domain_corners(domain);
+  const DomainCorners::Corner& from = corners.list[static_cast<std::size_t>(edge)];
+  const DomainCorners::Corner& to = corners.list[static_cast<std::size_t>(edge + 1) % corners.count];
+  return Parameter::at(domain, {from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])});
 }
 
 }  // namespace bezcert

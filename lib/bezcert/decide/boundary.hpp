@@ -7,6 +7,7 @@
 
 #include "bezcert/curve/contact.hpp"
 #include "bezcert/element/forms.hpp"
+#include "bezcert/element/parameter.hpp"
 #include "bezcert/verdict/decision.hpp"
 
 #include <deque>

@@ -68,11 +68,10 @@ class SignSearch {
   // The ranges of a coordinate (0: u, 1: v) of the pieces where N may vanish.
   Strips strips(std::size_t coordinate) const {
     Strips result;
-    const std::size_t at = coordinate + (tree_.corner_count() == 3 ? 1 : 0);
     const auto add = [&](JacobianTree::Piece piece) {
-      Rational lower = tree_.corner(piece, 0)[at], upper = lower;
+      Rational lower = tree_.corner(piece, 0).affine()[coordinate], upper = lower;
       for (std::size_t k = 1; k < tree_.corner_count(); ++k) {
-        const Rational x = tree_.corner(piece, k)[at];
+        const Rational x = tree_.corner(piece, k).affine()[coordinate];
         lower = std::min(lower, x);
         upper = std::max(upper, x);
       }
@@ -130,15 +129,12 @@ ElementVerdict verdict_of(const SignSearch& search) {
 }
 
 // Two independent computations of one sign: evidence that does not hold is never given out.
-Witness checked_witness(const Element& element, Parameter parameter, int expected) {
-  Witness witness = make_witness(element, std::move(parameter));
-  if (sign(witness.determinant) != expected) throw std::logic_error("decide: a witness does not hold");
+Witness checked_witness(const Forms& forms, Parameter parameter, int expected) {
+  Witness witness = make_witness(forms.exact(), std::move(parameter));
+  if (sign(witness.determinant) != expected || !witness.parameter.is_inside()) {
+    throw std::logic_error("decide: a witness does not hold");
+  }
   return witness;
-}
-
-Parameter parameter_of(const Element& element, const std::array<Rational, 2>& uv) {
-  if (!element.is_triangle()) return {uv[0], uv[1]};
-  return {Rational(1 - uv[0] - uv[1]), uv[0], uv[1]};
 }
 
 // The pieces that are looked at before algebra is asked: most elements are settled by a handful, and where N
@@ -157,7 +153,6 @@ int some_sign(const SignSearch& search, const Polynomial<Integer>& n) {
 void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearch& search,
                        Decision& decision) {
   const Polynomial<Integer>& n = forms.exact_jacobian().numerator;
-  const Element& element = forms.element();
   const bool open = decision.verdict == ElementVerdict::undecided;
   if (std::all_of(n.coefficients.begin(), n.coefficients.end(),
                   [](const Integer& c) { return c.is_zero(); })) {
@@ -175,7 +170,7 @@ void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearc
   if (!open) return;
   decision.sign_proof = SignProof::algebra;
   const auto witness_at = [&](const std::array<Rational, 2>& uv, int expected) {
-    return checked_witness(element, parameter_of(element, uv), expected);
+    return checked_witness(forms, Parameter::at(n.shape.domain, {uv[0], uv[1]}), expected);
   };
   if (signs.opposite) {
     decision.verdict = ElementVerdict::folded;
@@ -199,7 +194,7 @@ void decide_by_algebra(const Forms& forms, const Budget& budget, const SignSearc
 // Dyadic witnesses that the subdivision met, where algebra has not given others.
 void add_witnesses(const Forms& forms, const SignSearch& search, Decision& decision) {
   const auto witness_at = [&](const CornerOfPiece& place, int expected) {
-    return checked_witness(forms.element(), search.tree().corner(place.piece, place.corner), expected);
+    return checked_witness(forms, search.tree().corner(place.piece, place.corner), expected);
   };
   if (!decision.witness && search.negative()) decision.witness = witness_at(*search.negative(), -1);
   if (!decision.witness && search.zero() && decision.verdict != ElementVerdict::regular) {
@@ -215,8 +210,8 @@ void add_witnesses(const Forms& forms, const SignSearch& search, Decision& decis
 }
 
 PlanarPoint point_of(const Parameter& parameter) {
-  const std::size_t first = parameter.size() == 3 ? 1 : 0;
-  return {rational_root(parameter[first]), rational_root(parameter[first + 1])};
+  const std::vector<Rational> uv = parameter.affine();
+  return {rational_root(uv[0]), rational_root(uv[1])};
 }
 
 // The zero set of a degenerate element. A zero at a corner of a piece is the better evidence.
@@ -270,6 +265,8 @@ void decide_injectivity(const Forms& forms, const Budget& budget, Decision& deci
 }
 
 }  // namespace
+
+Decision decide(const Element& element, const Budget& budget) { return decide(Forms(element), budget); }
 
 Decision decide(const Forms& forms, const Budget& budget) {
   SignSearch search(forms, budget);

@@ -9,10 +9,12 @@
 #pragma once
 
 #include "bezcert/curve/contact_budget.hpp"
-#include "bezcert/element/forms.hpp"
+#include "bezcert/element/element.hpp"
 #include "bezcert/verdict/decision.hpp"
 
 namespace bezcert {
+
+class Forms;
 
 /// Limits, in units that do not depend on the machine.
 struct Budget {
@@ -26,6 +28,8 @@ struct Budget {
   ContactBudget contact;
 };
 
+/// Decides an element. The second is for callers that go on with its number forms (element/forms.hpp).
+Decision decide(const Element& element, const Budget& budget = {});
 Decision decide(const Forms& forms, const Budget& budget = {});
 
 }  // namespace bezcert

@@ -38,10 +38,11 @@ template <class T>
 std::pair<std::vector<T>, std::vector<T>> column(const Net<T>& net, int direction) {
   const bool square = net.shape.domain == Domain::square;
   const auto along = [&](const std::vector<T>& values) { return derivative(net.shape, values, direction); };
-  if (!net.rational() && !square) return {along(net.x).coefficients, along(net.y).coefficients};
+  if (!net.rational() && !square)
+    return {along(net.coordinates[0]).coefficients, along(net.coordinates[1]).coefficients};
 
-  const Polynomial<T> w = net.rational() ? scaled(Polynomial<T>(net.shape, net.w)) : Polynomial<T>();
-  const Polynomial<T> w_along = net.rational() ? scaled(along(net.w)) : Polynomial<T>();
+  const Polynomial<T> w = net.rational() ? scaled(Polynomial<T>(net.shape, net.weights)) : Polynomial<T>();
+  const Polynomial<T> w_along = net.rational() ? scaled(along(net.weights)) : Polynomial<T>();
   const auto component = [&](const std::vector<T>& values) {
     Polynomial<T> f = scaled(along(values));
     if (net.rational()) {
@@ -50,13 +51,13 @@ std::pair<std::vector<T>, std::vector<T>> column(const Net<T>& net, int directio
       for (std::size_t i = 0; i < g.coefficients.size(); ++i) f.coefficients[i] -= g.coefficients[i];
     }
     if (square) {
-      const Shape step = direction == 0 ? Shape{Domain::square, 1, 0} : Shape{Domain::square, 0, 1};
+      const Shape step = direction == 0 ? Shape::square(1, 0) : Shape::square(0, 1);
       f = convolve(f, Polynomial<T>(step, {T(1), T(1)}));
     }
     from_scaled(f);
     return f.coefficients;
   };
-  return {component(net.x), component(net.y)};
+  return {component(net.coordinates[0]), component(net.coordinates[1])};
 }
 
 template <class T>
@@ -100,8 +101,7 @@ bool jacobian_hull(const Forms& forms) {
 
 bool derivative_is_affine_on_segments(const Element& element) {
   if (element.rational()) return false;
-  const Shape shape = element.shape();
-  return element.is_triangle() ? shape.p <= 2 : shape.p == 1 && shape.q == 1;
+  return element.degree() <= (element.is_triangle() ? 2 : 1);
 }
 
 }  // namespace

@@ -14,41 +14,38 @@ namespace bezcert {
 
 /// The power of two that `bisect` multiplies integer coefficients by (0 for intervals).
 template <class T>
-int bisection_shift(Shape shape, int direction) {
-  if constexpr (std::is_same_v<T, Interval>) return 0;
-  if (shape.domain == Domain::square && direction == 1) return shape.q;
-  return shape.p;
+int bisection_shift(Shape shape, int factor) {
+  return std::is_same_v<T, Interval> ? 0 : shape.degree(factor);
 }
 
-/// The two halves of a polynomial. Square: cut at u = 1/2 (direction 0) or v = 1/2 (1), lower half first.
-/// Triangle (A, B, C): cut from C to the middle M of AB into (C, A, M) and (B, C, M), so that the next cut
-/// again halves the first two corners' side and the newest vertex is last.
+/// The factor that pieces of some depth are cut in: each in turn.
+inline int factor_to_cut(Domain domain, int depth) { return depth % domain.factor_count(); }
+
+/// The two halves of a polynomial, cut in one factor. Square: cut at u = 1/2 (factor 0) or v = 1/2 (1), lower
+/// half first. Triangle (A, B, C): cut from C to the middle M of AB into (C, A, M) and (B, C, M), so that the
+/// next cut again halves the first two corners' side and the newest vertex is last. Precondition: the factor
+/// is a segment or a triangle (tetrahedra need another rule).
 template <class T>
-std::pair<Polynomial<T>, Polynomial<T>> bisect(const Polynomial<T>& f, int direction) {
+std::pair<Polynomial<T>, Polynomial<T>> bisect(const Polynomial<T>& f, int factor) {
   Polynomial<T> left = f;
   Polynomial<T> right = f;
-  const int shift = bisection_shift<T>(f.shape, direction);
-  if (f.shape.domain != Domain::triangle) {
-    detail::for_each_line(f.shape, direction, [&](std::size_t first, std::size_t stride, std::size_t count) {
-      detail::bisect_line(left.coefficients, right.coefficients, first, stride, count, shift);
-    });
-    return {std::move(left), std::move(right)};
-  }
-  const int degree = f.shape.p;
-  for (int r = 0; r <= degree; ++r) {
-    detail::bisect_line(left.coefficients, right.coefficients, coefficient_index(f.shape, r, 0), 1,
-                        static_cast<std::size_t>(degree - r) + 1, shift);
-  }
+  const int shift = bisection_shift<T>(f.shape, factor);
+  detail::for_each_line(f.shape, factor, [&](std::size_t first, std::size_t stride, std::size_t count) {
+    detail::bisect_line(left.coefficients, right.coefficients, first, stride, count, shift);
+  });
+  if (f.shape.domain.simplex(factor) == 1) return {std::move(left), std::move(right)};
   // left is over (A, M, C), right over (M, B, C): turn them to (C, A, M) and (B, C, M).
   Polynomial<T> first(f.shape);
   Polynomial<T> second(f.shape);
-  for (int r = 0; r <= degree; ++r) {
-    for (int c = 0; c <= degree - r; ++c) {
-      const int a = degree - r - c;  // exponents (a, c, r) of the old corners
-      first.at(c, a) = std::move(left.at(r, c));
-      second.at(a, r) = std::move(right.at(r, c));
-    }
-  }
+  const Shape triangle = Shape::triangle(f.shape.degree(factor));
+  detail::for_each_copy(f.shape, f.shape, factor, [&](std::size_t start, std::size_t, std::size_t stride) {
+    const auto at = [&](int r, int c) { return start + coefficient_index(triangle, r, c) * stride; };
+    for_each_simplex_point(2, triangle.degree(0), [&](const SimplexPoint& point) {
+      const auto [a, c, r, unused] = point.exponents;  // of the old corners
+      first.coefficients[at(c, a)] = std::move(left.coefficients[at(r, c)]);
+      second.coefficients[at(a, r)] = std::move(right.coefficients[at(r, c)]);
+    });
+  });
   return {std::move(first), std::move(second)};
 }
 

@@ -16,20 +16,22 @@ bool all_equal(const ExactVector& numbers) {
 
 }  // namespace
 
-Element::Element(Shape shape, Basis basis, ExactVector x, ExactVector y, ExactVector weights)
-    : shape_(shape), basis_(basis), x_(std::move(x)), y_(std::move(y)), weights_(std::move(weights)) {
-  const bool square = shape_.domain == Domain::square;
-  if (!square) shape_.q = 0;
-  if (shape_.domain == Domain::segment) throw std::invalid_argument("an element is no segment");
-  if (shape_.p < 1 || (square && shape_.q < 1)) throw std::invalid_argument("the degree must be at least 1");
+Element::Element(Shape shape, Basis basis, Coordinates coordinates, ExactVector weights)
+    : shape_(shape), basis_(basis), coordinates_(std::move(coordinates)), weights_(std::move(weights)) {
+  if (dimension() != 2) throw std::invalid_argument("an element is planar: no segment and no volume");
+  for (int f = 0; f < shape_.factor_count(); ++f) {
+    if (shape_.degree(f) < 1) throw std::invalid_argument("the degree must be at least 1");
+  }
   if (degree() > max_degree) {
     throw std::invalid_argument("the degree must be at most " + std::to_string(max_degree));
   }
   const std::size_t count = coefficient_count(shape_);
-  if (x_.size() != count || y_.size() != count) {
+  for (std::size_t k = 0; k < coordinates_.size(); ++k) {
+    const std::size_t expected = k < static_cast<std::size_t>(dimension()) ? count : 0;
+    if (coordinates_[k].size() == expected) continue;
     throw std::invalid_argument("a " + kind_name(*this) + " of degree " + degree_name(*this) + " has " +
-                                std::to_string(count) + " points, not " +
-                                std::to_string(x_.size() != count ? x_.size() : y_.size()));
+                                std::to_string(expected) + " points, not " +
+                                std::to_string(coordinates_[k].size()));
   }
   if (weights_.empty()) return;
   if (weights_.size() != count) {
@@ -46,7 +48,7 @@ Element::Element(Shape shape, Basis basis, ExactVector x, ExactVector y, ExactVe
   if (rational_ && basis_ == Basis::lagrange) {
     const ExactNet converted = exact_net(*this);
     for (std::size_t i = 0; i < count; ++i) {
-      if (converted.net.w[i].sign() <= 0) {
+      if (converted.net.weights[i].sign() <= 0) {
         throw std::invalid_argument("the weight of control point " + std::to_string(i + 1) +
                                     " is not positive after conversion from the lagrange basis");
       }
@@ -58,8 +60,13 @@ std::string kind_name(const Element& element) { return element.is_triangle() ? "
 
 std::string degree_name(const Element& element) {
   const Shape& shape = element.shape();
-  if (element.is_triangle() || shape.p == shape.q) return std::to_string(shape.p);
-  return std::to_string(shape.p) + "x" + std::to_string(shape.q);
+  std::string result = std::to_string(shape.degree(0));
+  bool equal = true;
+  for (int f = 1; f < shape.factor_count(); ++f) {
+    result += "x" + std::to_string(shape.degree(f));
+    equal = equal && shape.degree(f) == shape.degree(0);
+  }
+  return equal ? std::to_string(shape.degree(0)) : result;
 }
 
 }  // namespace bezcert

@@ -75,14 +75,15 @@ class Forms {
 /// the triangle (a, b, c).
 template <class T>
 T orientation(const Net<T>& net, std::size_t a, std::size_t b, std::size_t c) {
-  const T bx = net.x[b] - net.x[a];
-  const T by = net.y[b] - net.y[a];
-  const T cx = net.x[c] - net.x[a];
-  const T cy = net.y[c] - net.y[a];
+  const std::vector<T>&x = net.coordinates[0], &y = net.coordinates[1], &w = net.weights;
+  const T bx = x[b] - x[a];
+  const T by = y[b] - y[a];
+  const T cx = x[c] - x[a];
+  const T cy = y[c] - y[a];
   if (!net.rational()) return bx * cy - by * cx;
-  const T bw = net.w[b] - net.w[a];
-  const T cw = net.w[c] - net.w[a];
-  return (by * cw - bw * cy) * net.x[a] + (bw * cx - bx * cw) * net.y[a] + (bx * cy - by * cx) * net.w[a];
+  const T bw = w[b] - w[a];
+  const T cw = w[c] - w[a];
+  return (by * cw - bw * cy) * x[a] + (bw * cx - bx * cw) * y[a] + (bx * cy - by * cx) * w[a];
 }
 
 }  // namespace bezcert

@@ -38,21 +38,14 @@ extern template Polynomial<Integer> jacobian_numerator(const Net<Integer>&);
 template <class T>
 Polynomial<T> weight_polynomial(const Net<T>& net) {
   if (!net.rational()) {
-    Polynomial<T> one(Shape{net.shape.domain, 0, 0});
+    Polynomial<T> one(Shape(net.shape.domain, 0));
     one.coefficients[0] = T(1);
     return one;
   }
-  return {net.shape, net.w};
+  return {net.shape, net.weights};
 }
 
 /// The degree factor of det J = factor * N / W^3: n^2 for a triangle, p q for a quadrilateral.
-inline int degree_factor(Shape element) {
-  return element.domain == Domain::triangle ? element.p * element.p : element.p * element.q;
-}
-
-/// The exact value of det J at a parameter, straight from the map and its derivatives by de Casteljau:
-/// independent of `jacobian_numerator`. Throws std::invalid_argument if the parameter does not fit the
-/// domain.
-Rational jacobian_determinant(const Element& element, const Parameter& parameter);
+int degree_factor(Shape element);
 
 }  // namespace bezcert

@@ -123,11 +123,11 @@ auto JacobianTree::form(Piece piece, const Witness&... up) -> const PieceForm<T>
   }
   const Node& node = nodes_[piece];
   const PieceForm<T>& parent = form<T>(node.parent, up...);
-  const int direction = nodes_[node.parent].depth % 2;
-  auto numerators = bisect(parent.numerator, direction);
-  auto weights = bisect(parent.weight, direction);
-  const int numerator_shift = parent.numerator_shift + bisection_shift<T>(parent.numerator.shape, direction);
-  const int weight_shift = parent.weight_shift + bisection_shift<T>(parent.weight.shape, direction);
+  const int factor = factor_to_cut(parent.numerator.shape.domain, nodes_[node.parent].depth);
+  auto numerators = bisect(parent.numerator, factor);
+  auto weights = bisect(parent.weight, factor);
+  const int numerator_shift = parent.numerator_shift + bisection_shift<T>(parent.numerator.shape, factor);
+  const int weight_shift = parent.weight_shift + bisection_shift<T>(parent.weight.shape, factor);
   const Piece first = node.second ? piece - 1 : piece;
   slot<T>(nodes_[first]) = {
       {std::move(numerators.first), std::move(weights.first)}, numerator_shift, weight_shift};
@@ -187,27 +187,40 @@ bool JacobianTree::proves_negative(const PieceSigns& signs) const {
 Parameter JacobianTree::corner(Piece piece, std::size_t corner) const {
   std::vector<bool> path;  // from the piece up to the root
   for (Piece at = piece; at != root; at = nodes_[at].parent) path.push_back(nodes_[at].second);
-  if (corner_count_ == 3) {
-    std::array<Parameter, 3> corners = {Parameter{1, 0, 0}, Parameter{0, 1, 0}, Parameter{0, 0, 1}};
-    for (auto step = path.rbegin(); step != path.rend(); ++step) {
-      Parameter middle(3);
-      for (std::size_t i = 0; i < 3; ++i) middle[i] = (corners[0][i] + corners[1][i]) / 2;
-      corners =
-          *step ? std::array{corners[1], corners[2], middle} : std::array{corners[2], corners[0], middle};
+  // By factor: the corners of its simplex by their affine coordinates, halved as `bisect` does.
+  const Domain domain = forms_.element().shape().domain;
+  std::array<std::vector<std::vector<Rational>>, max_dimension> simplices;
+  for (int f = 0; f < domain.factor_count(); ++f) {
+    const auto dimension = static_cast<std::size_t>(domain.simplex(f));
+    auto& corners = simplices[static_cast<std::size_t>(f)];
+    corners.assign(dimension + 1, std::vector<Rational>(dimension));
+    for (std::size_t k = 0; k < dimension; ++k) corners[k + 1][k] = 1;
+  }
+  int depth = 0;
+  for (auto step = path.rbegin(); step != path.rend(); ++step, ++depth) {
+    auto& corners = simplices[static_cast<std::size_t>(factor_to_cut(domain, depth))];
+    std::vector<Rational> middle = corners[0];
+    for (std::size_t i = 0; i < middle.size(); ++i) middle[i] = (middle[i] + corners[1][i]) / 2;
+    if (corners.size() == 2) {
+      corners[*step ? 0 : 1] = std::move(middle);
+    } else if (*step) {
+      corners = {std::move(corners[1]), std::move(corners[2]), std::move(middle)};
+    } else {
+      corners = {std::move(corners[2]), std::move(corners[0]), std::move(middle)};
     }
-    return corners[corner];
   }
-  std::array<Rational, 2> low = {0, 0};
-  std::array<Rational, 2> size = {1, 1};
-  std::size_t direction = 0;
-  for (auto step = path.rbegin(); step != path.rend(); ++step) {
-    size[direction] /= 2;
-    if (*step) low[direction] += size[direction];
-    direction = 1 - direction;
+  const DomainCorners::Corner at = domain_corners(domain).list[corner];
+  std::vector<Rational> affine;
+  std::size_t coordinate = 0;
+  for (int f = 0; f < domain.factor_count(); ++f) {
+    std::size_t of_simplex = 0;
+    for (int k = 1; k <= domain.simplex(f); ++k, ++coordinate) {
+      if (at[coordinate] == 1) of_simplex = static_cast<std::size_t>(k);
+    }
+    const std::vector<Rational>& place = simplices[static_cast<std::size_t>(f)][of_simplex];
+    affine.insert(affine.end(), place.begin(), place.end());
   }
-  const bool right = corner == 1 || corner == 2;
-  const bool top = corner >= 2;
-  return {right ? low[0] + size[0] : low[0], top ? low[1] + size[1] : low[1]};
+  return Parameter::at(domain, affine);
 }
 
 template <class T, class... Witness>

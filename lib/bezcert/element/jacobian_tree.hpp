@@ -11,6 +11,7 @@
 
 #include "bezcert/element/determinant_bounds.hpp"
 #include "bezcert/element/forms.hpp"
+#include "bezcert/element/parameter.hpp"
 
 #include <array>
 #include <deque>
@@ -21,9 +22,9 @@ namespace bezcert {
 
 /// Exact signs of the coefficients of N on one piece.
 struct PieceSigns {
-  bool none_negative = false;           ///< every coefficient is >= 0
-  bool none_positive = false;           ///< every coefficient is <= 0
-  std::array<signed char, 4> corner{};  ///< sign at each corner; corner[3] unused for triangles
+  bool none_negative = false;                            ///< every coefficient is >= 0
+  bool none_positive = false;                            ///< every coefficient is <= 0
+  std::array<signed char, 1 << max_dimension> corner{};  ///< sign at each corner; the rest unused
 };
 
 /// N and W on one piece. The coefficients are those of the whole domain's scale times 2^shift: integers are

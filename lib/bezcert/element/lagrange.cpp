@@ -9,12 +9,14 @@ namespace {
 using Matrix = std::vector<std::vector<Rational>>;  // [coefficient][node]
 
 // The scaled coefficients of prod_r prod_{s < mu_r} (n xi_r - s (sum of all xi)), without the 1/mu_r!.
-Polynomial<Integer> product_of_forms(Domain domain, const std::vector<int>& mu, int degree) {
-  Polynomial<Integer> product(Shape{domain, 0, 0}, {Integer(1)});
+Polynomial<Integer> product_of_forms(Shape simplex, const std::array<int, max_dimension + 1>& mu) {
+  Polynomial<Integer> product(Shape(simplex.domain, 0), {Integer(1)});
   for (std::size_t r = 0; r < mu.size(); ++r) {
     for (int s = 0; s < mu[r]; ++s) {
-      Polynomial<Integer> form(Shape{domain, 1, 0});
-      for (std::size_t k = 0; k < mu.size(); ++k) form.coefficients[k] = (k == r ? degree : 0) - s;
+      Polynomial<Integer> form(Shape(simplex.domain, 1));
+      for (std::size_t k = 0; k < form.coefficients.size(); ++k) {
+        form.coefficients[k] = (k == r ? simplex.degree(0) : 0) - s;
+      }
       product = convolve(product, form);
     }
   }
@@ -27,44 +29,39 @@ Integer factorial(int n) {
   return result;
 }
 
-Matrix simplex_matrix(Domain domain, int degree) {
-  const Shape shape{domain, degree, 0};
-  const std::size_t count = coefficient_count(shape);
-  const std::vector<Integer> factors = multinomials(shape);
+Matrix simplex_matrix(Shape simplex) {
+  const std::size_t count = coefficient_count(simplex);
+  const std::vector<Integer> factors = multinomials(simplex);
   Matrix matrix(count, std::vector<Rational>(count));
-  for (int r = 0; r < row_count(shape); ++r) {
-    for (int c = 0; c < column_count(shape, r); ++c) {
-      std::vector<int> mu = {degree - r - c, c};
-      if (domain == Domain::triangle) mu.push_back(r);
-      Integer divisor = 1;
-      for (const int part : mu) divisor *= factorial(part);
-      const Polynomial<Integer> product = product_of_forms(domain, mu, degree);
-      const std::size_t node = coefficient_index(shape, r, c);
-      for (std::size_t i = 0; i < count; ++i) {
-        matrix[i][node] = Rational(product.coefficients[i], Integer(divisor * factors[i]));
-      }
+  for_each_simplex_point(simplex.dimension(), simplex.degree(0), [&](const SimplexPoint& node) {
+    Integer divisor = 1;
+    for (const int part : node.exponents) divisor *= factorial(part);
+    const Polynomial<Integer> product = product_of_forms(simplex, node.exponents);
+    for (std::size_t i = 0; i < count; ++i) {
+      matrix[i][node.position] = Rational(product.coefficients[i], Integer(divisor * factors[i]));
     }
-  }
+  });
   return matrix;
 }
 
-Matrix square_matrix(Shape shape) {
-  const Matrix along_u = simplex_matrix(Domain::segment, shape.p);
-  const Matrix along_v = simplex_matrix(Domain::segment, shape.q);
-  const std::size_t count = coefficient_count(shape);
-  const std::size_t columns = along_u.size();
+// The matrix of a product whose last factor has the matrix `outer`.
+Matrix product_matrix(const Matrix& inner, const Matrix& outer) {
+  const std::size_t size = inner.size(), count = size * outer.size();
   Matrix matrix(count, std::vector<Rational>(count));
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
-      matrix[i][j] = along_v[i / columns][j / columns] * along_u[i % columns][j % columns];
+      matrix[i][j] = outer[i / size][j / size] * inner[i % size][j % size];
     }
   }
   return matrix;
 }
 
 BasisChange build(Shape shape) {
-  const Matrix matrix =
-      shape.domain == Domain::square ? square_matrix(shape) : simplex_matrix(shape.domain, shape.p);
+  Matrix matrix = {{Rational(1)}};
+  for (int f = 0; f < shape.factor_count(); ++f) {
+    const Shape simplex(Domain(shape.domain.simplex(f)), shape.degree(f));
+    matrix = product_matrix(matrix, simplex_matrix(simplex));
+  }
   BasisChange result;
   result.denominator = 1;
   for (const auto& row : matrix) {

@@ -4,7 +4,7 @@
 // binomials in n xi_r: L_mu = prod_r C(n xi_r, mu_r) (it is 1 at its node and vanishes at the others, of
 // which each has a smaller mu_r for some r). Made homogeneous with 1 = xi_0 + xi_1 + xi_2 it is a product of
 // n linear forms, whose coefficients over the multinomials are its Bernstein coefficients: rational numbers
-// with one common denominator. Tensor patches use the segment's matrix in each direction.
+// with one common denominator. On a product of simplices the matrix is the product of the factors' matrices.
 #pragma once
 
 #include "bezcert/bernstein/shape.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace bezcert {
 namespace {
@@ -13,17 +14,15 @@ namespace {
 template <class T>
 Integer to_bernstein(Net<T>& net) {
   const BasisChange& change = lagrange_to_bernstein(net.shape);
-  change_basis(change, net.x);
-  change_basis(change, net.y);
-  change_basis(change, net.w);
+  for (std::vector<T>& values : net.coordinates) change_basis(change, values);
+  change_basis(change, net.weights);
   return net.rational() ? Integer(1) : change.denominator;
 }
 
 template <class T>
 void make_homogeneous(Net<T>& net) {
-  for (std::size_t i = 0; i < net.w.size(); ++i) {
-    net.x[i] = net.x[i] * net.w[i];
-    net.y[i] = net.y[i] * net.w[i];
+  for (std::vector<T>& values : net.coordinates) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i] * net.weights[i];
   }
 }
 
@@ -62,25 +61,23 @@ void multiply_all(std::vector<Interval>& numbers, double factor) {
   for (Interval& number : numbers) number = number * scale;
 }
 
-// x and y brought to one common factor, relative to the first point.
-ScaledIntegers common_coordinates(const ExactVector& x, const ExactVector& y) {
-  ScaledIntegers both;
-  if (x.binary64() && y.binary64()) {
-    std::vector<double> all(x.doubles().begin(), x.doubles().end());
-    all.insert(all.end(), y.doubles().begin(), y.doubles().end());
-    both = scaled_integers(all);
-  } else {
-    std::vector<Rational> all;
-    for (std::size_t i = 0; i < x.size(); ++i) all.push_back(x[i]);
-    for (std::size_t i = 0; i < y.size(); ++i) all.push_back(y[i]);
-    both = scaled_integers(all);
+// All coordinates one after the other, brought to one common factor.
+ScaledIntegers common_coordinates(std::span<const ExactVector> coordinates) {
+  const bool binary64 = std::all_of(coordinates.begin(), coordinates.end(),
+                                    [](const ExactVector& numbers) { return numbers.binary64(); });
+  if (binary64) {
+    std::vector<double> all;
+    all.reserve(coordinates.size() * coordinates[0].size());
+    for (const ExactVector& numbers : coordinates) {
+      all.insert(all.end(), numbers.doubles().begin(), numbers.doubles().end());
+    }
+    return scaled_integers(all);
   }
-  const Integer first_x = both.values.front();
-  const Integer first_y = both.values[x.size()];
-  for (std::size_t i = 0; i < both.values.size(); ++i) {
-    both.values[i] -= i < x.size() ? first_x : first_y;
+  std::vector<Rational> all;
+  for (const ExactVector& numbers : coordinates) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) all.push_back(numbers[i]);
   }
-  return both;
+  return scaled_integers(all);
 }
 
 }  // namespace
@@ -89,18 +86,20 @@ IntervalNet interval_net(const RoundUp&, const Element& element) {
   IntervalNet result;
   Net<Interval>& net = result.net;
   net.shape = element.shape();
-  net.x = relative_to_first(element.x());
-  net.y = relative_to_first(element.y());
-  const double factor = normalizing_factor(std::max(largest_magnitude(net.x), largest_magnitude(net.y)));
-  multiply_all(net.x, factor);
-  multiply_all(net.y, factor);
+  double largest = 0;
+  for (std::size_t k = 0; k < element.coordinates().size(); ++k) {
+    net.coordinates[k] = relative_to_first(element.coordinates()[k]);
+    largest = std::max(largest, largest_magnitude(net.coordinates[k]));
+  }
+  const double factor = normalizing_factor(largest);
+  for (std::vector<Interval>& values : net.coordinates) multiply_all(values, factor);
   result.scale = Interval(1.0 / factor);  // a power of two: exact
   if (element.rational()) {
-    net.w.reserve(element.weights().size());
+    net.weights.reserve(element.weights().size());
     for (std::size_t i = 0; i < element.weights().size(); ++i) {
-      net.w.push_back(interval_at(element.weights(), i));
+      net.weights.push_back(interval_at(element.weights(), i));
     }
-    multiply_all(net.w, normalizing_factor(largest_magnitude(net.w)));
+    multiply_all(net.weights, normalizing_factor(largest_magnitude(net.weights)));
     make_homogeneous(net);
   }
   if (element.basis() == Basis::lagrange) result.scale = result.scale / to_interval(to_bernstein(net));
@@ -111,16 +110,25 @@ ExactNet exact_net(const Element& element) {
   ExactNet result;
   Net<Integer>& net = result.net;
   net.shape = element.shape();
-  ScaledIntegers coordinates = common_coordinates(element.x(), element.y());
-  const auto middle = coordinates.values.begin() + static_cast<std::ptrdiff_t>(element.x().size());
-  net.x.assign(coordinates.values.begin(), middle);
-  net.y.assign(middle, coordinates.values.end());
-  result.scale = coordinates.scale;
+  const ScaledIntegers common = common_coordinates(element.coordinates());
+  auto next = common.values.begin();
+  for (std::size_t k = 0; k < element.coordinates().size(); ++k) {
+    const auto end = next + static_cast<std::ptrdiff_t>(element.coordinates()[k].size());
+    result.first[k] = *next;
+    net.coordinates[k].assign(next, end);
+    for (Integer& value : net.coordinates[k]) value -= result.first[k];
+    next = end;
+  }
+  result.scale = common.scale;
   if (element.rational()) {
-    net.w = element.weights().scaled().values;
+    net.weights = element.weights().scaled().values;
     make_homogeneous(net);
   }
-  if (element.basis() == Basis::lagrange) result.scale /= Rational(to_bernstein(net));
+  if (element.basis() == Basis::lagrange) {
+    const Integer divisor = to_bernstein(net);
+    result.scale /= Rational(divisor);
+    for (Integer& value : result.first) value *= divisor;
+  }
   return result;
 }
 

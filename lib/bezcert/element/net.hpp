@@ -8,20 +8,20 @@
 #include "bezcert/element/element.hpp"
 #include "bezcert/number/interval.hpp"
 
+#include <array>
 #include <vector>
 
 namespace bezcert {
 
-/// Control points (X, Y, W) in coefficient order; `w` is empty where the element is polynomial, and then
-/// (X, Y) are cartesian. Otherwise X = W x, Y = W y.
+/// Control points (X, Y, ..., W) in coefficient order, one list a coordinate; `weights` is empty where the
+/// element is polynomial, and then (X, Y, ...) are cartesian. Otherwise X = W x, Y = W y, ...
 template <class T>
 struct Net {
   Shape shape;
-  std::vector<T> x;
-  std::vector<T> y;
-  std::vector<T> w;
+  std::array<std::vector<T>, max_dimension> coordinates;
+  std::vector<T> weights;
 
-  bool rational() const { return !w.empty(); }
+  bool rational() const { return !weights.empty(); }
 };
 
 struct IntervalNet {
@@ -31,6 +31,7 @@ struct IntervalNet {
 
 struct ExactNet {
   Net<Integer> net;
+  std::array<Integer, max_dimension> first;  ///< x_first = scale * first
   Rational scale;
 };
 

@@ -25,7 +25,7 @@ Element Mesh::element(std::size_t i) const {
   const MeshElement& entry = elements_[i];
   const std::span<const std::uint32_t> nodes(connectivity_.data() + entry.first_node,
                                              coefficient_count(entry.shape));
-  return Element(entry.shape, entry.basis, gather(coordinates_[0], nodes), gather(coordinates_[1], nodes),
+  return Element(entry.shape, entry.basis, {gather(coordinates_[0], nodes), gather(coordinates_[1], nodes)},
                  weights_.empty() ? ExactVector() : gather(weights_, nodes));
 }
 

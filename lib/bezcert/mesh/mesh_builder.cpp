@@ -32,18 +32,16 @@ std::string text(const Rational& number) { return to_decimal(number); }
 std::size_t edge_count(Shape shape) { return shape.domain == Domain::triangle ? 3 : 4; }
 
 std::string shape_text(Shape shape) {
-  if (shape.domain == Domain::triangle) return "triangle of degree " + std::to_string(shape.p);
-  return "quadrilateral of degrees " + std::to_string(shape.p) + " and " + std::to_string(shape.q);
+  if (shape.domain == Domain::triangle) return "triangle of degree " + std::to_string(shape.degree(0));
+  return "quadrilateral of degrees " + std::to_string(shape.degree(0)) + " and " + std::to_string(shape.degree(1));
 }
 
-// The shape of an element, in the one way to write it.
-Shape checked_shape(std::size_t element, Shape shape, Basis basis) {
-  const bool square = shape.domain == Domain::square;
-  if (!square && shape.domain != Domain::triangle) {
+void check_shape(std::size_t element, Shape shape, Basis basis) {
+  if (shape.domain != Domain::square && shape.domain != Domain::triangle) {
     throw MeshError(element, "its domain is none of an element, expected a triangle or a square");
   }
-  if (!square) shape.q = 0;
-  for (const int degree : {shape.p, square ? shape.q : shape.p}) {
+  for (int f = 0; f < shape.factor_count(); ++f) {
+    const int degree = shape.degree(f);
     if (degree >= 1 && degree <= max_degree) continue;
     throw MeshError(
         element, "its degree is " + std::to_string(degree) + ", expected 1 to " + std::to_string(max_degree));
@@ -51,7 +49,6 @@ Shape checked_shape(std::size_t element, Shape shape, Basis basis) {
   if (basis != Basis::bernstein && basis != Basis::lagrange) {
     throw MeshError(element, "its basis is not known, expected bernstein or lagrange");
   }
-  return shape;
 }
 
 }  // namespace
@@ -136,7 +133,7 @@ std::uint32_t MeshBuilder::add_nodes_separate(std::initializer_list<std::span<co
 }
 
 std::size_t MeshBuilder::add_element(Shape shape, Basis basis, std::initializer_list<std::int64_t> nodes) {
-  shape = checked_shape(mesh_.elements_.size(), shape, basis);
+  check_shape(mesh_.elements_.size(), shape, basis);
   if (nodes.size() != coefficient_count(shape)) {
     throw MeshError(mesh_.elements_.size(), std::to_string(nodes.size()) + " nodes, expected " +
                                                 std::to_string(coefficient_count(shape)) + " of a " +
@@ -146,7 +143,7 @@ std::size_t MeshBuilder::add_element(Shape shape, Basis basis, std::initializer_
 }
 
 std::size_t MeshBuilder::count_elements(Shape shape, Basis basis, std::size_t nodes) const {
-  shape = checked_shape(mesh_.elements_.size(), shape, basis);
+  check_shape(mesh_.elements_.size(), shape, basis);
   const std::size_t each = coefficient_count(shape);
   if (nodes % each != 0) {
     throw MeshError(mesh_.elements_.size() + nodes / each,
@@ -185,7 +182,7 @@ std::optional<std::array<std::span<double>, 2>> MeshBuilder::append_nodes(std::s
 }
 
 std::span<std::uint32_t> MeshBuilder::append_elements(Shape shape, Basis basis, std::size_t count) {
-  shape = checked_shape(mesh_.elements_.size(), shape, basis);
+  check_shape(mesh_.elements_.size(), shape, basis);
   if (count > (too_many - 1 - edges_) / edge_count(shape)) {
     throw MeshError(mesh_.elements_.size() + count, "expected fewer than 2^32 - 1 edges of elements");
   }

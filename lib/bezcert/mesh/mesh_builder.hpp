@@ -3,7 +3,7 @@
 //
 //   MeshBuilder builder;
 //   builder.add_nodes_interleaved(points);                                   // x0, y0, x1, y1, ...
-//   builder.add_elements({Domain::triangle, 2, 0}, Basis::lagrange, nodes);  // 6 indices an element
+//   builder.add_elements(Shape::triangle(2), Basis::lagrange, nodes);  // 6 indices an element
 //   const Mesh mesh = std::move(builder).build();
 //
 // Nodes and elements are counted from 0 as they were added. Nodes of an element may be added after it.

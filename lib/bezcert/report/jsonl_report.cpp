@@ -16,7 +16,7 @@ using namespace std::string_view_literals;  // lengths known to the compiler
 
 Json witness_object(const Witness& witness) {
   Json parameter = Json::array();
-  for (const Rational& value : witness.parameter) parameter.push_back(to_string(value));
+  for (const Rational& value : witness.parameter.values()) parameter.push_back(to_string(value));
   return {{"parameter", parameter}, {"det", to_string(witness.determinant)}};
 }
 
@@ -124,8 +124,8 @@ class JsonLinesReport : public Report {
     line > 0 ? to << line : to << "null"sv;
     if (!origin.name(index).empty()) to.field("name", std::string(origin.name(index)));
     to << (triangle ? ",\"kind\":\"triangle\",\"degree\":"sv : ",\"kind\":\"quadrilateral\",\"degree\":["sv)
-       << static_cast<std::uint64_t>(entry.shape.p);
-    if (!triangle) to << ","sv << static_cast<std::uint64_t>(entry.shape.q) << "]"sv;
+       << static_cast<std::uint64_t>(entry.shape.degree(0));
+    if (!triangle) to << ","sv << static_cast<std::uint64_t>(entry.shape.degree(1)) << "]"sv;
     to << (mesh.rational(index) ? ",\"rational\":true"sv : ",\"rational\":false"sv) << ",\"verdict\":\""sv
        << name(decision.verdict) << "\",\"min_det\":{\"lower\":\""sv << decision.bounds.min_lower
        << "\",\"upper\":\""sv << decision.bounds.min_upper << "\"}"sv;

@@ -90,8 +90,8 @@ std::string element_title(const std::string& input, const Mesh& mesh, std::size_
   if (!origin.name(i).empty()) text += " \"" + printable(origin.name(i), 80) + "\"";
   const bool triangle = entry.shape.domain == Domain::triangle;
   text += triangle ? " (triangle, degree " : " (quadrilateral, degree ";
-  text += std::to_string(entry.shape.p);
-  if (!triangle && entry.shape.p != entry.shape.q) text += "x" + std::to_string(entry.shape.q);
+  text += std::to_string(entry.shape.degree(0));
+  if (!triangle && entry.shape.degree(0) != entry.shape.degree(1)) text += "x" + std::to_string(entry.shape.degree(1));
   return text + ")";
 }
 

@@ -5,6 +5,7 @@
 // unmerged edges, a hanging node, or parts that overlap.
 #pragma once
 
+#include "bezcert/curve/contact.hpp"
 #include "bezcert/surface/surface.hpp"
 
 namespace bezcert {

@@ -1,5 +1,6 @@
 #include "bezcert/surface/domain.hpp"
 
+#include "bezcert/surface/surface.hpp"
 #include "bezcert/curve/incidence.hpp"
 #include "bezcert/curve/same_curve.hpp"
 

@@ -7,9 +7,15 @@
 #pragma once
 
 #include "bezcert/curve/input_curve.hpp"
-#include "bezcert/surface/surface.hpp"
+#include "bezcert/curve/distance.hpp"
+#include "bezcert/surface/element_edge.hpp"
+
+#include <optional>
+#include <span>
 
 namespace bezcert {
+
+class Surface;
 
 /// Why no edge covers a curve any further. All but the first: from a vertex on the curve.
 enum class DomainCause {

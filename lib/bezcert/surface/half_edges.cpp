@@ -13,7 +13,7 @@ namespace bezcert {
 namespace {
 
 const BasisChange& segment_change(std::size_t count) {
-  return lagrange_to_bernstein(Shape{Domain::segment, static_cast<int>(count) - 1, 0});
+  return lagrange_to_bernstein(Shape::segment(static_cast<int>(count) - 1));
 }
 
 // x and y of the nodes over one factor: values[i] and values[count + i] times `scale`.

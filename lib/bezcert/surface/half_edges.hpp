@@ -10,6 +10,7 @@
 #include "bezcert/curve/dyadic_curve.hpp"
 #include "bezcert/curve/vector.hpp"
 #include "bezcert/mesh/mesh.hpp"
+#include "bezcert/surface/element_edge.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,16 +19,6 @@
 #include <vector>
 
 namespace bezcert {
-
-/// One edge of one element, by its number.
-using HalfEdge = std::uint32_t;
-inline constexpr HalfEdge no_half_edge = std::numeric_limits<HalfEdge>::max();
-
-/// Edge `edge` of an element, from its corner of that number to the next.
-struct ElementEdge {
-  std::uint32_t element = 0;  ///< index into the mesh's elements
-  int edge = 0;
-};
 
 /// Which end of an edge.
 enum class End { begin, end };

@@ -1,5 +1,7 @@
 #include "bezcert/surface/obstacle.hpp"
 
+#include "bezcert/surface/half_edges.hpp"
+
 #include <algorithm>
 
 namespace bezcert {

@@ -2,12 +2,20 @@
 // in report/obstacle_text.hpp.
 #pragma once
 
-#include "bezcert/curve/contact.hpp"
+#include "bezcert/curve/contact_result.hpp"
 #include "bezcert/curve/distance.hpp"
-#include "bezcert/surface/half_edges.hpp"
+#include "bezcert/surface/element_edge.hpp"
 #include "bezcert/verdict/mesh_verdict.hpp"
 
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
 namespace bezcert {
+
+class HalfEdges;
 
 /// What is wrong, as it was found. With each: its kind, and what the obstacle holds beside elements and
 /// (where there are any) edges, nodes and points.

@@ -41,7 +41,7 @@ ControlEdges build(std::size_t count, Basis basis) {
   for (std::size_t i = 0; i + 1 < count; ++i) {
     ControlEdges::Sum sum{i, {-1, 1}};
     if (basis == Basis::lagrange) {
-      const BasisChange& change = lagrange_to_bernstein({Domain::segment, static_cast<int>(count) - 1, 0});
+      const BasisChange& change = lagrange_to_bernstein(Shape::segment(static_cast<int>(count) - 1));
       std::vector<Integer> exact(count, 0);
       for (const auto& entry : change.rows[i + 1]) exact[entry.column] += entry.exact;
       for (const auto& entry : change.rows[i]) exact[entry.column] -= entry.exact;
@@ -61,7 +61,7 @@ ControlEdges build(std::size_t count, Basis basis) {
 
 const ControlEdges& control_edges(std::size_t count, Basis basis) {
   static TableCache<ControlEdges> caches[2];
-  return caches[basis == Basis::lagrange].get(Shape{Domain::segment, static_cast<int>(count) - 1, 0},
+  return caches[basis == Basis::lagrange].get(Shape::segment(static_cast<int>(count) - 1),
                                               [&](Shape) { return build(count, basis); });
 }
 

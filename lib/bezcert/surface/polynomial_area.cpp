@@ -19,7 +19,7 @@ struct AreaForm {
 };
 
 AreaForm build(Shape shape, Basis basis) {
-  const auto count = static_cast<std::size_t>(shape.p) + 1;
+  const auto count = static_cast<std::size_t>(shape.degree(0)) + 1;
   const BasisChange& change = lagrange_to_bernstein(shape);
   const auto unit = [&](std::size_t i) {
     std::vector<Integer> values(count, 0);
@@ -45,7 +45,7 @@ AreaForm build(Shape shape, Basis basis) {
 
 const AreaForm& area_form(std::size_t nodes, Basis basis) {
   static TableCache<AreaForm> lagrange, bernstein;
-  const Shape shape{Domain::segment, static_cast<int>(nodes) - 1, 0};
+  const Shape shape = Shape::segment(static_cast<int>(nodes) - 1);
   return (basis == Basis::lagrange ? lagrange : bernstein).get(shape, [&](Shape s) {
     return build(s, basis);
   });

@@ -18,6 +18,7 @@
 // a pinched vertex, non_manifold. docs/mesh.md, "Vertices".
 #pragma once
 
+#include "bezcert/surface/half_edges.hpp"
 #include "bezcert/surface/obstacle.hpp"
 
 #include <span>

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "bezcert/algebra/planar_point.hpp"
-#include "bezcert/element/element.hpp"
-
-#include <string>
+#include "bezcert/element/net.hpp"
+#include "bezcert/element/parameter.hpp"
 
 namespace bezcert {
 
@@ -14,11 +13,8 @@ struct Witness {
   Rational determinant;
 };
 
-/// Evaluates det J at a parameter directly (jacobian_determinant): the witness stands on its own.
-Witness make_witness(const Element& element, Parameter parameter);
-
-/// "(1/2, 1/4, 1/4)".
-std::string to_string(const Parameter& parameter);
+/// Evaluates det J at a parameter directly (evaluate_map): the witness stands on its own.
+Witness make_witness(const ExactNet& net, Parameter parameter);
 
 /// The zero set of det J in the closed domain.
 struct AlgebraicZero {

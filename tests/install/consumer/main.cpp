@@ -8,7 +8,7 @@ int main() {
   // The unit triangle of degree 2 whose node in the middle of the hypotenuse's neighbour is moved to (0.5,
   // 0.45): as a Lagrange node, det J at corner 1 is 1 - 4 * 0.45 = -4/5.
   const Element element(
-      {Domain::triangle, 2, 0}, Basis::lagrange,
+      Shape::triangle(2), Basis::lagrange,
       ExactVector({Rational(0), Rational(1, 2), Rational(1), Rational(0), Rational(1, 2), Rational(0)}),
       ExactVector({Rational(0), Rational(9, 20), Rational(0), Rational(1, 2), Rational(1, 2), Rational(1)}));
   const Forms forms(element);

@@ -89,8 +89,8 @@ TEST_CASE("bez.json elements have their points by rows, their basis, names and e
       "points": [[0, 0], [1, 0], [2, 0],
                  [0, 3], [1, 4], [2, 3]] } ] })");
   REQUIRE(mesh.elements().size() == 2);
-  CHECK(mesh.elements()[0].shape == Shape{Domain::triangle, 2, 0});
-  CHECK(mesh.elements()[1].shape == Shape{Domain::square, 2, 1});
+  CHECK(mesh.elements()[0].shape == Shape::triangle(2));
+  CHECK(mesh.elements()[1].shape == Shape::square(2, 1));
   CHECK(mesh.elements()[0].basis == Basis::bernstein);
   CHECK(mesh.elements()[1].basis == Basis::lagrange);
   CHECK(mesh.origin().basis_name == "mixed");
@@ -145,10 +145,10 @@ TEST_CASE("bez.json nodes refer to shared points and weights") {
   CHECK(mesh.connectivity() == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 1, 3, 2, 4, 5, 6});
   const Element square = mesh.element(2);
   CHECK(square.weights()[2] == 4);
-  CHECK(square.y()[2] == 1);
-  CHECK(square.x()[2] == 0);
+  CHECK(square.coordinates()[1][2] == 1);
+  CHECK(square.coordinates()[0][2] == 0);
   CHECK(mesh.element(3).weights()[2] == 7);
-  CHECK(mesh.element(3).x()[1] == 6);
+  CHECK(mesh.element(3).coordinates()[0][1] == 6);
   // The same without weights, and with the shared points behind the elements.
   const Mesh plain = read_mesh(
       "t",
@@ -178,7 +178,7 @@ TEST_CASE("bez.json degrees from 1 to 64 in each direction") {
     }
     const Mesh mesh = read_element("\"kind\":\"quadrilateral\",\"degree\":[" + std::to_string(p) + "," +
                                    std::to_string(q) + "],\"points\":[" + points + "]");
-    CHECK(mesh.elements()[0].shape == Shape{Domain::square, p, q});
+    CHECK(mesh.elements()[0].shape == Shape::square(p, q));
     // Row 1, column 0 is behind the p + 1 points of row 0.
     CHECK(mesh.coordinates(1)[static_cast<std::size_t>(p) + 1] == 1);
     CHECK(mesh.coordinates(0)[static_cast<std::size_t>(p) + 1] == 0);
@@ -197,9 +197,9 @@ TEST_CASE("what write_bez_json writes is read back exactly") {
   std::size_t triangles = 0, quadrilaterals = 0, rational = 0, lagrange = 0, doubles = 0;
   for (int round = 0; round < 400; ++round) {
     const bool triangle = random.chance(50);
-    const Shape shape = triangle ? Shape{Domain::triangle, static_cast<int>(random.integer(1, 5)), 0}
-                                 : Shape{Domain::square, static_cast<int>(random.integer(1, 4)),
-                                         static_cast<int>(random.integer(1, 4))};
+    const Shape shape = triangle ? Shape::triangle(static_cast<int>(random.integer(1, 5)))
+                                 : Shape::square(static_cast<int>(random.integer(1, 4)),
+                                                 static_cast<int>(random.integer(1, 4)));
     const Basis basis = random.chance(50) ? Basis::bernstein : Basis::lagrange;
     const bool as_doubles = random.chance(50);
     ExactVector x, y, weights;
@@ -217,7 +217,7 @@ TEST_CASE("what write_bez_json writes is read back exactly") {
       for (std::size_t i = 0; i < coefficient_count(shape); ++i)
         weights.push_back(Rational(random.integer(1000000, 1000010), 3));
     }
-    const Element element(shape, basis, x, y, weights);
+    const Element element(shape, basis, {x, y}, weights);
     const std::string name = random.chance(50) ? "n\"a\\m\ne \xc3\xa9 " + std::to_string(round) : "";
     std::ostringstream stream;
     write_bez_json(stream, element, name, random.chance(50) ? "made by a test" : "");
@@ -229,8 +229,8 @@ TEST_CASE("what write_bez_json writes is read back exactly") {
     REQUIRE(again.basis() == basis);
     REQUIRE(again.weights().size() == weights.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
-      REQUIRE(again.x()[i] == x[i]);
-      REQUIRE(again.y()[i] == y[i]);
+      REQUIRE(again.coordinates()[0][i] == x[i]);
+      REQUIRE(again.coordinates()[1][i] == y[i]);
       if (!weights.empty()) REQUIRE(again.weights()[i] == weights[i]);
     }
     REQUIRE(mesh.origin().element_names == std::vector<std::string>{name});
@@ -249,8 +249,9 @@ TEST_CASE("what write_bez_json writes is read back exactly") {
 
 // `source` holds the path of a mesh in the reproducer of a contradiction, and a path may hold any bytes.
 TEST_CASE("write_bez_json does not fail on names that are no UTF-8") {
-  const Element element({Domain::triangle, 1, 0}, Basis::bernstein, ExactVector(std::vector<double>{0, 1, 0}),
-                        ExactVector(std::vector<double>{0, 0, 1}));
+  const Element element(
+      Shape::triangle(1), Basis::bernstein,
+      {ExactVector(std::vector<double>{0, 1, 0}), ExactVector(std::vector<double>{0, 0, 1})});
   std::ostringstream stream;
   REQUIRE_NOTHROW(write_bez_json(stream, element, "bad \xff name", "mesh\xe9.msh"));
   CHECK(read_mesh("written", stream.str()).elements().size() == 1);

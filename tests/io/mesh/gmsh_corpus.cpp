@@ -73,7 +73,7 @@ TEST_CASE("gmsh meshes have the elements and ignored cells that the oracle count
 TEST_CASE("one mesh in eight forms is one mesh") {
   const Mesh reference = read_corpus("crescent_p3_22a.msh");
   REQUIRE(reference.elements().size() == 14);
-  REQUIRE(reference.elements().front().shape == Shape{Domain::triangle, 3, 0});
+  REQUIRE(reference.elements().front().shape == Shape::triangle(3));
   // The first rows of the file as text: nodes 1 to 6.
   const std::vector<std::pair<double, double>> first = {{0, -1},  {1, 0}, {0, 1},
                                                         {0.9, 0}, {0, 0}, {-0.1055555555555555, 0}};

@@ -33,8 +33,8 @@ Shape shape_of_type(int type) {
   const std::vector<int> triangles = {2, 9, 21, 23, 25, 42, 43, 44, 45, 46};
   const std::vector<int> quadrangles = {3, 10, 36, 37, 38, 47, 48, 49, 50, 51};
   for (int p = 1; p <= 10; ++p) {
-    if (triangles[static_cast<std::size_t>(p) - 1] == type) return {Domain::triangle, p, 0};
-    if (quadrangles[static_cast<std::size_t>(p) - 1] == type) return {Domain::square, p, p};
+    if (triangles[static_cast<std::size_t>(p) - 1] == type) return Shape::triangle(p);
+    if (quadrangles[static_cast<std::size_t>(p) - 1] == type) return Shape::square(p, p);
   }
   FAIL("type " << type << " is in neither list");
   return {};

@@ -105,8 +105,8 @@ TEST_CASE("a mesh read as decimal may mix doubles and others") {
   const auto points = points_of(mesh, 1);
   CHECK(points[2].first == Rational(-1, 10));
   const Element element = mesh.element(1);
-  CHECK(element.x()[2] == Rational(-1, 10));
-  CHECK(element.x()[1] == Rational(5, 4));
+  CHECK(element.coordinates()[0][2] == Rational(-1, 10));
+  CHECK(element.coordinates()[0][1] == Rational(5, 4));
 }
 
 TEST_CASE("binary coordinates are doubles whatever the text of others means") {

@@ -113,7 +113,7 @@ inline bool is_sound(const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
     const MeshElement& entry = mesh.elements()[i];
     if (entry.first_node + coefficient_count(entry.shape) > mesh.connectivity().size()) return false;
-    if (mesh.element(i).x().size() != coefficient_count(entry.shape)) return false;
+    if (mesh.element(i).coordinates()[0].size() != coefficient_count(entry.shape)) return false;
   }
   return true;
 }

@@ -81,14 +81,14 @@ class Reader {
     const JsonValue& kind = values_.required(element, "kind", "an element");
     const JsonValue& value = values_.required(element, "degree", "an element");
     if (kind.kind == Kind::string && kind.text == "triangle")
-      return {Domain::triangle, values_.degree(value), 0};
+      return Shape::triangle(values_.degree(value));
     if (kind.kind != Kind::string || kind.text != "quadrilateral") {
       values_.fail(kind, "\"kind\" must be \"triangle\" or \"quadrilateral\"");
     }
     if (value.kind != Kind::array || value.items.size() != 2) {
       values_.fail(value, "the degree of a quadrilateral must be [p, q]");
     }
-    return {Domain::square, values_.degree(value.items[0]), values_.degree(value.items[1])};
+    return Shape::square(values_.degree(value.items[0]), values_.degree(value.items[1]));
   }
 
   Basis basis_of(const JsonValue& element) const {

@@ -31,16 +31,18 @@ void write_list(std::ostream& stream, std::size_t count, const char* separator, 
 
 std::string shape_text(Shape shape, Basis basis) {
   const bool triangle = shape.domain == Domain::triangle;
-  std::string text = triangle ? "\"kind\": \"triangle\", \"degree\": " + std::to_string(shape.p)
-                              : "\"kind\": \"quadrilateral\", \"degree\": [" + std::to_string(shape.p) +
-                                    ", " + std::to_string(shape.q) + ']';
+  std::string text = triangle
+                         ? "\"kind\": \"triangle\", \"degree\": " + std::to_string(shape.degree(0))
+                         : "\"kind\": \"quadrilateral\", \"degree\": [" + std::to_string(shape.degree(0)) +
+                               ", " + std::to_string(shape.degree(1)) + ']';
   return text + ", \"basis\": \"" + (basis == Basis::bernstein ? "bernstein" : "lagrange") + '"';
 }
 
 void write_own_points(std::ostream& stream, const Element& element) {
   stream << ", \"points\": [";
-  write_list(stream, element.x().size(), ", ",
-             [&](std::size_t i) { return point_text(element.x(), element.y(), i); });
+  write_list(stream, element.coordinates()[0].size(), ", ", [&](std::size_t i) {
+    return point_text(element.coordinates()[0], element.coordinates()[1], i);
+  });
   stream << ']';
   if (element.weights().empty()) return;
   stream << ", \"weights\": [";

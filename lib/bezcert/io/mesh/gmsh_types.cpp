@@ -81,8 +81,8 @@ GmshType surface(Shape shape) {
 }  // namespace
 
 GmshType gmsh_type(long number) {
-  if (const int p = order_of(triangle_types, number)) return surface({Domain::triangle, p, 0});
-  if (const int p = order_of(quadrangle_types, number)) return surface({Domain::square, p, p});
+  if (const int p = order_of(triangle_types, number)) return surface(Shape::triangle(p));
+  if (const int p = order_of(quadrangle_types, number)) return surface(Shape::square(p, p));
   if (const int p = order_of(line_types, number)) return {GmshClass::line, p + 1, {}, ""};
   if (number == 84) return {GmshClass::line, 1, {}, ""};
   if (number == 15) return {GmshClass::point, 1, {}, ""};
@@ -102,7 +102,7 @@ std::vector<std::size_t> gmsh_node_order(Shape shape) {
   const auto add = [&](int column, int row) { order.push_back(coefficient_index(shape, row, column)); };
   // The ring of corners and edges at distance `o` from the boundary, p steps long, then what is inside.
   int o = 0;
-  for (int p = shape.p; p >= 0; p -= triangle ? 3 : 2, ++o) {
+  for (int p = shape.degree(0); p >= 0; p -= triangle ? 3 : 2, ++o) {
     if (p == 0) {
       add(o, o);
       break;

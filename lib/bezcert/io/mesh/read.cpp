@@ -1,5 +1,6 @@
 #include "bezcert/io/mesh/read.hpp"
 
+#include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/mesh/gmsh.hpp"
@@ -51,6 +52,13 @@ Mesh read_mesh(const std::string& file, std::string_view bytes, const ReadOption
     throw InputError(file, origin.line(*error.element()),
                      "element " + std::to_string(origin.number(*error.element())) + ": " + error.problem());
   }
+}
+
+Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
+  const FileBytes file(path);
+  Mesh mesh = read_mesh(path, file.view(), options);
+  file.check_unchanged();
+  return mesh;
 }
 
 }  // namespace bezcert

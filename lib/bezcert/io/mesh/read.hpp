@@ -22,4 +22,7 @@ struct ReadOptions {
 /// errors. Throws InputError.
 Mesh read_mesh(const std::string& file, std::string_view bytes, const ReadOptions& options = {});
 
+/// The same for a file by its path.
+Mesh read_mesh_file(const std::string& path, const ReadOptions& options = {});
+
 }  // namespace bezcert
