@@ -32,8 +32,8 @@ class EdgeCheck {
     Failed failed = weights();
     if (!failed) failed = guardable();
     if (!failed) failed = cones();
-    if (!failed) failed = rows_parallel();
-    if (!failed) failed = columns_parallel();
+    if (!failed) failed = parallel(Condition::row, 0, 1, d_);
+    if (!failed) failed = parallel(Condition::column, 1, 0, {at(0, 0), at(1, 0)});
     return failed;
   }
 
@@ -91,21 +91,12 @@ class EdgeCheck {
     return std::nullopt;
   }
 
-  Failed rows_parallel() const {
+  // Conditions 4 and 5: from row 1 on, steps along the rows, or across, have the direction of a reference.
+  Failed parallel(Condition condition, int across, int along, const Vector& reference) const {
     for (int i = 1; i < n_; ++i) {
       for (int j = 0; i + j < n_; ++j) {
-        if (!same_direction({at(i, j), at(i, j + 1)}, d_)) return Failure{Condition::row, i, j};
-      }
-    }
-    return std::nullopt;
-  }
-
-  Failed columns_parallel() const {
-    for (int i = 1; i < n_; ++i) {
-      for (int j = 0; i + j < n_; ++j) {
-        if (!same_direction({at(i, j), at(i + 1, j)}, {at(0, 0), at(1, 0)})) {
-          return Failure{Condition::column, i, j};
-        }
+        if (!same_direction({at(i, j), at(i + across, j + along)}, reference))
+          return Failure{condition, i, j};
       }
     }
     return std::nullopt;

@@ -181,31 +181,27 @@ Int128 scaled(double x, int exponent) {
   return shift >= 0 ? Int128{parts.mantissa} * (Int128{1} << shift) : Int128{parts.mantissa >> -shift};
 }
 
-int sign_of(Int128 x) { return (x > 0) - (x < 0); }
-
-struct UInt256 {
-  UInt128 high, low;
-  auto operator<=>(const UInt256&) const = default;
+struct Int256 {
+  Int128 high;
+  UInt128 low;
+  auto operator<=>(const Int256&) const = default;
 };
 
-UInt256 product(UInt128 a, UInt128 b) {
+// Of numbers below 2^126 in size; high halves are signed.
+Int256 product(Int128 a, Int128 b) {
   constexpr UInt128 mask = ~std::uint64_t{0};
-  const UInt128 a0 = a & mask, a1 = a >> 64, b0 = b & mask, b1 = b >> 64;
-  const UInt128 p00 = a0 * b0, p01 = a0 * b1, p10 = a1 * b0, p11 = a1 * b1;
+  const UInt128 a0 = a & mask, b0 = b & mask, p00 = a0 * b0;
+  const Int128 a1 = a >> 64, b1 = b >> 64;
+  const Int128 p01 = static_cast<Int128>(a0) * b1, p10 = static_cast<Int128>(b0) * a1;
   const UInt128 middle = (p00 >> 64) + (p01 & mask) + (p10 & mask);
-  return {p11 + (p01 >> 64) + (p10 >> 64) + (middle >> 64), (middle << 64) | (p00 & mask)};
+  return {a1 * b1 + (p01 >> 64) + (p10 >> 64) + static_cast<Int128>(middle >> 64),
+          (middle << 64) | (p00 & mask)};
 }
-
-UInt128 size_of(Int128 x) { return x < 0 ? -static_cast<UInt128>(x) : static_cast<UInt128>(x); }
 
 // The sign of a b - c d.
 int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
-  const int first = sign_of(a) * sign_of(b), second = sign_of(c) * sign_of(d);
-  if (first != second) return first > second ? 1 : -1;
-  if (first == 0) return 0;
-  const UInt256 p = product(size_of(a), size_of(b)), q = product(size_of(c), size_of(d));
-  if (p == q) return 0;
-  return (p > q) == (first > 0) ? 1 : -1;
+  const auto order = product(a, b) <=> product(c, d);
+  return (order > 0) - (order < 0);
 }
 
 }  // namespace

@@ -39,15 +39,11 @@ class QuickNet {
   std::size_t auxiliary(int edge, int j) const { return edge_index(degree_, edge, 0, j); }
 
   int turn(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    const double value = cross(between(i, j), between(k, l));
-    if (value > bound_) return 1;
-    if (value < -bound_) return -1;
+    if (const auto sign = certain_sign(cross(between(i, j), between(k, l)), bound_)) return *sign;
     return exact_turn(i, j, k, l);
   }
   int forward(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    const double value = dot(between(i, j), between(k, l));
-    if (value > bound_) return 1;
-    if (value < -bound_) return -1;
+    if (const auto sign = certain_sign(dot(between(i, j), between(k, l)), bound_)) return *sign;
     return exact_forward(i, j, k, l);
   }
   int orientation(std::size_t i, std::size_t j, std::size_t k) const { return turn(i, j, i, k); }
