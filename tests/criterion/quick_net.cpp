@@ -1,11 +1,12 @@
 // The quick net: its signs are those of exact rational arithmetic, and a criterion's quick status is that of
 // its full check. Inputs near the bound: doubles that are collinear or parallel up to the last bits, far from
-// the origin, very small and very large.
+// the origin, very small and very large; in all rounding modes.
 #include "bezcert/criterion/quick_net.hpp"
 #include "bezcert/criterion/criterion.hpp"
 #include "bezcert/criterion/triangle_index.hpp"
 #include "bezcert/element/forms.hpp"
 #include "bezcert/element/lagrange.hpp"
+#include "number/double_oracle.hpp"
 #include "random_element.hpp"
 
 #include <catch2/catch.hpp>
@@ -101,6 +102,7 @@ void attack_signs(std::uint64_t seed, int triangles) {
   QuickNet net;
   for (int i = 0; i < triangles; ++i) {
     const Triangle t = random_triangle(random, 6);
+    const RoundingMode mode(rounding_modes[i % 4]);
     if (!net.load(t.shape, t.basis, t.x, t.y, t.nodes)) continue;
     ++used;
     const std::vector<Rational> x = control_points(t, t.x), y = control_points(t, t.y);

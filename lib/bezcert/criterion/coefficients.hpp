@@ -4,8 +4,12 @@
 #pragma once
 
 #include "bezcert/criterion/criterion.hpp"
+#include "bezcert/element/jacobian_tree.hpp"
 
 namespace bezcert {
+
+/// What the signs of all coefficients of N on a piece tell of det J there.
+Status coefficient_status(const PieceSigns& signs, std::size_t corner_count);
 
 /// Checks the coefficients of N on the whole element. Applies to every element.
 Verdict coefficients(const Forms& forms);

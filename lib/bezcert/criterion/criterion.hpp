@@ -1,5 +1,8 @@
 // The published conditions under test: what each claims, where it stands, how it is checked.
 //
+// A condition is written once, as a template over the numbers that answer its signs (form_signs.hpp); what
+// fails is data, from which `check` makes the reason.
+//
 // Adding a criterion means one file pair, whose header ends with the criterion's `Criterion`, and one line in
 // registry.cpp.
 #pragma once
@@ -31,13 +34,15 @@ struct Criterion {
   /// Whether a counterexample is known (then it is in the corpus).
   bool refuted;
   Check check;
-  /// The status that `check` gives, without reason or witness: reports need no more, and it is much faster.
+  /// The status that `check` gives, by the same code over other numbers, without reason or witness: reports
+  /// need no more, and it is much faster.
   QuickCheck quick = nullptr;
 };
 
-/// The verdict that a check starts from: the criterion's name and claim, no evidence yet.
-inline Verdict begin_verdict(const Criterion& criterion, Status status) {
+/// A verdict with the criterion's name and claim, without evidence.
+inline Verdict begin_verdict(const Criterion& criterion, Status status, std::string reason = {}) {
   Verdict verdict;
+  verdict.reason = std::move(reason);
   verdict.criterion = criterion.name;
   verdict.claim = criterion.claim;
   verdict.status = status;

@@ -1,8 +1,7 @@
 #include "bezcert/criterion/subdivision.hpp"
 
-#include "bezcert/criterion/quick_net.hpp"
+#include "bezcert/criterion/coefficients.hpp"
 #include "bezcert/element/forms.hpp"
-#include "bezcert/element/jacobian_tree.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -138,10 +137,8 @@ Verdict subdivision(const Forms& forms, const SubdivisionOptions& options) {
 }
 
 std::optional<Status> quick_subdivision(const QuickNet& net) {
-  const QuickNet::NumeratorSigns signs = net.numerator_signs();
-  if (!signs.certain) return std::nullopt;
-  if (!signs.corners_positive) return Status::refuted;
-  return signs.all_positive ? std::optional(Status::proved) : std::nullopt;
+  const std::optional<Status> status = quick_coefficients(net);
+  return status == Status::inconclusive ? std::nullopt : status;
 }
 
 }  // namespace bezcert

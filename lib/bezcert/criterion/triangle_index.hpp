@@ -1,4 +1,4 @@
-// Control points of a triangle by their exponents: names for messages.
+// Control points of a triangle by their exponents: positions as seen from an edge, names for messages.
 #pragma once
 
 #include "bezcert/bernstein/shape.hpp"
@@ -21,6 +21,15 @@ inline Exponents triangle_exponents(int degree, std::size_t index) {
   int left = static_cast<int>(index);
   while (left > degree - row) left -= degree - row++ + 1;
   return {degree - row - left, left, row};
+}
+
+/// The control point in row i away from an edge, at place j along it.
+inline std::size_t edge_index(int degree, int edge, int i, int j) {
+  Exponents e{};
+  e[edge] = degree - i - j;
+  e[(edge + 1) % 3] = j;
+  e[(edge + 2) % 3] = i;
+  return triangle_index(degree, e);
 }
 
 /// "P(3,0,0) P(2,1,0)".
