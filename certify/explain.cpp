@@ -47,15 +47,12 @@ std::string both(const Rational& value) {
   return decimal == exact_text ? exact_text : decimal + " (exactly " + exact_text + ")";
 }
 
-std::string decimal_parameter(const Parameter& parameter) {
-  std::string text = "(";
-  for (const Rational& value : parameter.values()) text += (text.size() > 1 ? ", " : "") + to_decimal(value);
-  return text + ")";
-}
-
 void print_witness(const char* label, const Witness& witness) {
+  const std::string decimal = decimal_text(witness.place), exactly = exact_text(witness.place);
   std::cout << label << "\n  parameter  " << to_string(witness.parameter) << "\n  decimal    "
-            << decimal_parameter(witness.parameter) << "\n  det J      " << both(witness.determinant) << '\n';
+            << decimal_text(witness.parameter.values()) << "\n  place      " << decimal;
+  if (exactly != decimal) std::cout << " (exactly " << exactly << ")";
+  std::cout << "\n  det J      " << both(witness.determinant) << '\n';
 }
 
 // A zero of det J with algebraic coordinates, in words.

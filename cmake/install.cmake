@@ -1,9 +1,8 @@
 include(CMakePackageConfigHelpers)
 
-install(TARGETS bezcert bezcert_internal EXPORT bezcertTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS bezcert EXPORT bezcertTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS certify verifier RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/bezcert DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.hpp" PATTERN "flint_types.hpp" EXCLUDE)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/bezcert)
 install(EXPORT bezcertTargets NAMESPACE bezcert:: DESTINATION ${config_dir})

@@ -34,8 +34,8 @@ int main() {
   };
   // Rows from edge 0-1 upwards: three points, two, one.
   const ExactVector x = numbers({0, 0.5, 1, 0, 0.5, 0});
-  const ExactVector y = numbers({0, 0.45, 0, 0.5, 0.5, 1});
-  show(Element::planar(Shape::triangle(2), Basis::lagrange, x, y));
-  show(Element::planar(Shape::triangle(2), Basis::bernstein, x, y, numbers({1, 2, 1, 1, 1, 1})));
+  const ExactVector y = numbers({0, 0.4375, 0, 0.5, 0.5, 1});
+  show(Element(Shape::triangle(2), Basis::lagrange, {x, y}));
+  show(Element(Shape::triangle(2), Basis::bernstein, {x, y}, numbers({1, 2, 1, 1, 1, 1})));
   return 0;
 }

@@ -69,8 +69,7 @@ void check_same(const MeshReport& a, const MeshReport& b) {
   REQUIRE(a.elements.counts.by_criterion.size() == b.elements.counts.by_criterion.size());
   for (std::size_t i = 0; i < a.elements.counts.by_criterion.size(); ++i) {
     CHECK(a.elements.counts.by_criterion[i].by_status == b.elements.counts.by_criterion[i].by_status);
-    CHECK(a.elements.counts.by_criterion[i].strength_gaps ==
-          b.elements.counts.by_criterion[i].strength_gaps);
+    CHECK(a.elements.counts.by_criterion[i].strength_gaps == b.elements.counts.by_criterion[i].strength_gaps);
   }
   REQUIRE(a.elements.bad.size() == b.elements.bad.size());
   for (std::size_t i = 0; i < a.elements.bad.size(); ++i) {
@@ -198,9 +197,9 @@ TEST_CASE("outcomes, from the best to the worst") {
   CHECK(report.outcome() == Outcome::invalid);
   report.domain.reset();
   CHECK(report.outcome() == Outcome::undecided);
-  for (const MeshVerdict verdict : {MeshVerdict::invalid_element, MeshVerdict::non_manifold,
-                                    MeshVerdict::non_conforming, MeshVerdict::folded_vertex,
-                                    MeshVerdict::overlapping_boundary}) {
+  for (const MeshVerdict verdict :
+       {MeshVerdict::invalid_element, MeshVerdict::non_manifold, MeshVerdict::non_conforming,
+        MeshVerdict::folded_vertex, MeshVerdict::overlapping_boundary}) {
     report.mesh.verdict = verdict;
     CHECK(report.outcome() == Outcome::invalid);
   }

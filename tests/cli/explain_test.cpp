@@ -81,12 +81,14 @@ TEST_CASE("certify explain tells verdict, signs, witness and failing conditions"
   CHECK(outcome.code == 1);
   CHECK(outcome.err.empty());
   const auto lines = lines_of(outcome.out);
-  CHECK(lines.at(0) == mesh + ":15: element 7 (triangle, degree 2): folded, det J = -4/5 at (0, 1, 0)");
+  CHECK(lines.at(0) ==
+        mesh + ":15: element 7 (triangle, degree 2): folded, det J = -4/5 at (0, 1, 0), the point (1, 0)");
   place_of(lines, "verdict: folded");
   const std::size_t witness = place_of(lines, "witness");
   CHECK(lines.at(witness + 1) == "  parameter  (0, 1, 0)");
   CHECK(lines.at(witness + 2) == "  decimal    (0, 1, 0)");
-  CHECK(lines.at(witness + 3) == "  det J      -0.8 (exactly -4/5)");
+  CHECK(lines.at(witness + 3) == "  place      (1, 0)");
+  CHECK(lines.at(witness + 4) == "  det J      -0.8 (exactly -4/5)");
   std::size_t signs = 0;
   while (signs < lines.size() && !lines[signs].starts_with("signs of the Bernstein coefficients")) ++signs;
   REQUIRE(signs + 3 < lines.size());

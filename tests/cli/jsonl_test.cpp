@@ -70,7 +70,8 @@ void check_keys(const Json& element, bool named) {
   REQUIRE(keys_of(element) == expected);
   REQUIRE(keys_of(element["min_det"]) == std::vector<std::string>{"lower", "upper"});
   if (!element["witness"].is_null())
-    REQUIRE(keys_of(element["witness"]) == std::vector<std::string>{"parameter", "det"});
+    REQUIRE(keys_of(element["witness"]) ==
+            std::vector<std::string>{"parameter", "det", "place", "place_decimal"});
 }
 
 // What the file says of an element.
@@ -164,6 +165,10 @@ void check_evidence(const Json& object, const Element& element, Random& random) 
     const Rational det = rational_of(object["witness"]["det"]);
     REQUIRE(in_domain(element, parameter));
     REQUIRE(exact_determinant(element, parameter) == det);
+    const DualPoint place = exact_map(element, parameter);
+    REQUIRE(object["witness"]["place"] == Json({to_string(place.x.value), to_string(place.y.value)}));
+    REQUIRE(object["witness"]["place_decimal"] ==
+            Json({to_decimal(place.x.value), to_decimal(place.y.value)}));
     REQUIRE(lower <= det);
     REQUIRE(det <= 0);
     REQUIRE((verdict == "degenerate") == (det == 0 && verdict != "undecided"));

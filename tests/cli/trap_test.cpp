@@ -89,7 +89,8 @@ TEST_CASE("the bezier-guarding trap: folded as nodes, fine as control points") {
   const Outcome text = folder.run({"check", mesh, "--numbers=decimal", "--criteria=none"});
   const auto lines = lines_of(text.out);
   REQUIRE(lines.size() == 3);
-  CHECK(lines[0] == mesh + ":15: element 7 (triangle, degree 2): folded, det J = -4/5 at (0, 1, 0)");
+  CHECK(lines[0] ==
+        mesh + ":15: element 7 (triangle, degree 2): folded, det J = -4/5 at (0, 1, 0), the point (1, 0)");
   CHECK(lines[1] == mesh + ": 1 element: 1 folded");
   CHECK(lines[2].starts_with(mesh + ": mesh: invalid_element"));
 }

@@ -237,7 +237,8 @@ void check_whole(const std::string& corpus, const std::string& file) {
     std::set<std::string> elements, nodes;
     for (const MeshObstacle& obstacle : result.obstacles.all()) {
       if (obstacle.kind() != result.verdict) continue;
-      for (const std::uint32_t i : obstacle.elements) elements.insert(std::to_string(mesh.origin().number(i)));
+      for (const std::uint32_t i : obstacle.elements)
+        elements.insert(std::to_string(mesh.origin().number(i)));
       for (const std::uint32_t i : obstacle.nodes) nodes.insert(std::to_string(i));
     }
     if (!cell(row, "obstacle_elements").empty()) {
@@ -253,7 +254,8 @@ void check_whole(const std::string& corpus, const std::string& file) {
   for (const Row& row : read_table(corpus + "/whole/domain.tsv")) {
     if (row.at("mesh") != base) continue;
     const std::string curves_path = corpus + "/whole/" + row.at("curves");
-    const DomainResult domain = check_domain(*result.surface, read_bez_json_curves(curves_path, read_file(curves_path)));
+    const DomainResult domain =
+        check_domain(*result.surface, read_bez_json_curves(curves_path, read_file(curves_path)));
     const std::string verdict = domain.conforming() ? "conforming" : "not_conforming";
     expect(verdict == row.at("verdict"),
            row.at("curves") + ": " + verdict + ", expected " + row.at("verdict"));

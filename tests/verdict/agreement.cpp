@@ -13,7 +13,7 @@ Agreement agreement(Claim claim, Status status, ElementVerdict verdict, bool wit
   said.status = status;
   Decision decision;
   decision.verdict = verdict;
-  if (with_witness) decision.witness = Witness{Parameter(Domain::triangle, {1, 0, 0}), -1};
+  if (with_witness) decision.witness = Witness{Parameter(Domain::triangle, {1, 0, 0}), -1, {0, 0}};
   return compare(said, decision);
 }
 

@@ -33,7 +33,8 @@ std::size_t edge_count(Shape shape) { return shape.domain == Domain::triangle ? 
 
 std::string shape_text(Shape shape) {
   if (shape.domain == Domain::triangle) return "triangle of degree " + std::to_string(shape.degree(0));
-  return "quadrilateral of degrees " + std::to_string(shape.degree(0)) + " and " + std::to_string(shape.degree(1));
+  return "quadrilateral of degrees " + std::to_string(shape.degree(0)) + " and " +
+         std::to_string(shape.degree(1));
 }
 
 void check_shape(std::size_t element, Shape shape, Basis basis) {

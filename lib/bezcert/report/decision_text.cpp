@@ -7,8 +7,8 @@ constexpr std::size_t longest_exact_text = 40;
 
 // Exact if that is short, else decimal: the exact value is in the JSON report and in `explain`.
 std::string determinant_text(const Rational& value) {
-  const std::string exact_text = to_string(value);
-  return exact_text.size() <= longest_exact_text ? "= " + exact_text : "~ " + to_decimal(value);
+  const std::string exactly = to_string(value);
+  return exactly.size() <= longest_exact_text ? "= " + exactly : "~ " + to_decimal(value);
 }
 
 std::string range_text(const BoundaryRange& range) {
@@ -36,7 +36,22 @@ std::string zero_text(const AlgebraicZero& zero) {
   }
 }
 
+template <class Write>
+std::string list_text(const std::vector<Rational>& numbers, Write write) {
+  std::string text = "(";
+  for (const Rational& number : numbers) text += (text.size() > 1 ? ", " : "") + write(number);
+  return text + ")";
+}
+
 }  // namespace
+
+std::string decimal_text(const std::vector<Rational>& numbers) {
+  return list_text(numbers, [](const Rational& number) { return to_decimal(number); });
+}
+
+std::string exact_text(const std::vector<Rational>& numbers) {
+  return list_text(numbers, [](const Rational& number) { return to_string(number); });
+}
 
 std::string text_of(const ExhaustedBudget& budget) {
   using Limit = ExhaustedBudget::Limit;
@@ -75,7 +90,7 @@ std::string describe(const Decision& decision) {
   if (decision.verdict == ElementVerdict::reversed) text += " (clockwise: det J < 0 everywhere)";
   if (decision.witness) {
     text += ", det J " + determinant_text(decision.witness->determinant) + " at " +
-            to_string(decision.witness->parameter);
+            to_string(decision.witness->parameter) + ", the point " + decimal_text(decision.witness->place);
   }
   if (decision.zero) text += zero_text(*decision.zero);
   if (decision.overlap) {

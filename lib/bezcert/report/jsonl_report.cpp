@@ -14,10 +14,19 @@ namespace {
 
 using namespace std::string_view_literals;  // lengths known to the compiler
 
+Json texts_of(const std::vector<Rational>& numbers) {
+  Json texts = Json::array();
+  for (const Rational& number : numbers) texts.push_back(to_string(number));
+  return texts;
+}
+
 Json witness_object(const Witness& witness) {
-  Json parameter = Json::array();
-  for (const Rational& value : witness.parameter.values()) parameter.push_back(to_string(value));
-  return {{"parameter", parameter}, {"det", to_string(witness.determinant)}};
+  Json decimals = Json::array();
+  for (const Rational& number : witness.place) decimals.push_back(to_decimal(number));
+  return {{"parameter", texts_of(witness.parameter.values())},
+          {"det", to_string(witness.determinant)},
+          {"place", texts_of(witness.place)},
+          {"place_decimal", decimals}};
 }
 
 // Part of the boundary: an edge (from corner i to the next) and the parameter range on it.
@@ -166,8 +175,9 @@ class JsonLinesReport : public Report {
     object["criteria"] = criteria;
     object["mesh"] = mesh_object(mesh, report.mesh);
     if (report.domain) object["domain"] = domain_object(source_.curves, mesh, *report.domain);
-    object["ignored"] = {
-        {"points", mesh.origin().ignored.points}, {"lines", mesh.origin().ignored.lines}, {"volumes", mesh.origin().ignored.volumes}};
+    object["ignored"] = {{"points", mesh.origin().ignored.points},
+                         {"lines", mesh.origin().ignored.lines},
+                         {"volumes", mesh.origin().ignored.volumes}};
     object["seconds"] = seconds();
     stream_ << line_of({{"summary", object}});
   }

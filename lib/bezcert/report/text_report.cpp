@@ -91,7 +91,8 @@ std::string element_title(const std::string& input, const Mesh& mesh, std::size_
   const bool triangle = entry.shape.domain == Domain::triangle;
   text += triangle ? " (triangle, degree " : " (quadrilateral, degree ";
   text += std::to_string(entry.shape.degree(0));
-  if (!triangle && entry.shape.degree(0) != entry.shape.degree(1)) text += "x" + std::to_string(entry.shape.degree(1));
+  if (!triangle && entry.shape.degree(0) != entry.shape.degree(1))
+    text += "x" + std::to_string(entry.shape.degree(1));
   return text + ")";
 }
 

@@ -181,7 +181,8 @@ CurveNet<Interval> HalfEdges::interval(const RoundUp&, HalfEdge h) const {
     change_basis(change, net.x);
     change_basis(change, net.y);
     const Interval unit = to_interval(change.denominator);
-    const Interval x = interval_at(mesh_.coordinates(0), along[0]), y = interval_at(mesh_.coordinates(1), along[0]);
+    const Interval x = interval_at(mesh_.coordinates(0), along[0]),
+                   y = interval_at(mesh_.coordinates(1), along[0]);
     for (Interval& value : net.x) value = x + value / unit;
     for (Interval& value : net.y) value = y + value / unit;
     net.w.assign(count, Interval(1));

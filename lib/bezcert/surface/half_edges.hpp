@@ -64,9 +64,7 @@ class HalfEdges {
   std::size_t count() const { return count_; }
   std::size_t element_count() const { return mesh_.elements().size(); }
 
-  std::uint32_t element(HalfEdge h) const {
-    return sides_ == 3 ? h / 3 : sides_ == 4 ? h / 4 : element_[h];
-  }
+  std::uint32_t element(HalfEdge h) const { return sides_ == 3 ? h / 3 : sides_ == 4 ? h / 4 : element_[h]; }
   /// Edge number within the element.
   int edge(HalfEdge h) const { return static_cast<int>(h - first(element(h))); }
   HalfEdge first(std::size_t element) const {
@@ -115,8 +113,7 @@ class HalfEdges {
 
   /// A coordinate (0: x, 1: y) of the tangent in double, with its error; nothing where the numbers are no
   /// doubles, or too small or too large. In any rounding mode.
-  std::optional<DoubleOperands<std::tuple<double>>> double_tangent(HalfEdge h, End end,
-                                                                   int coordinate) const;
+  std::optional<DoubleOperands<std::tuple<double>>> double_tangent(HalfEdge h, End end, int coordinate) const;
 
   /// Whether all control points of the edge, or the nodes it interpolates, have one weight (or none).
   bool equal_weights(HalfEdge h) const { return equal_weights(nodes(h)); }
@@ -141,7 +138,7 @@ class HalfEdges {
 
   const Mesh& mesh_;
   std::size_t count_ = 0;
-  std::size_t sides_ = 0;       // of every element, if all have as many; else 0, and then
+  std::size_t sides_ = 0;        // of every element, if all have as many; else 0, and then
   std::vector<HalfEdge> first_;  // of each element, and the end
   std::vector<std::uint32_t> element_;
   std::vector<ShapeEdges> shapes_;

@@ -96,8 +96,9 @@ bool run_one_way(const HalfEdges& edges, HalfEdge first, HalfEdge second) {
   if (!edges.equal_weights(first) || !edges.equal_weights(second)) return false;
   const EdgeNodes from = edges.nodes(first), to = edges.nodes(second);
   if (from.size() > most_nodes || to.size() > most_nodes) return false;
-  const Vector2<double> d{mesh.coordinates(0).doubles()[to.back()] - mesh.coordinates(0).doubles()[from.front()],
-                          mesh.coordinates(1).doubles()[to.back()] - mesh.coordinates(1).doubles()[from.front()]};
+  const Vector2<double> d{
+      mesh.coordinates(0).doubles()[to.back()] - mesh.coordinates(0).doubles()[from.front()],
+      mesh.coordinates(1).doubles()[to.back()] - mesh.coordinates(1).doubles()[from.front()]};
   if (!(size_of(d) < 0x1p900)) return false;
   return runs_along(edges, first, d) && runs_along(edges, second, d);
 }

@@ -75,7 +75,8 @@ void set_scaled(Integer& to, double x, int e) {
 }  // namespace
 
 bool has_plain_area(const HalfEdges& edges, HalfEdge h) {
-  return edges.mesh().coordinates(0).binary64() && edges.mesh().coordinates(1).binary64() && edges.equal_weights(h);
+  return edges.mesh().coordinates(0).binary64() && edges.mesh().coordinates(1).binary64() &&
+         edges.equal_weights(h);
 }
 
 Rational plain_area(const HalfEdges& edges, std::span<const HalfEdge> half_edges) {

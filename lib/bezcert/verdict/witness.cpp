@@ -5,8 +5,8 @@
 namespace bezcert {
 
 Witness make_witness(const ExactNet& net, Parameter parameter) {
-  Rational determinant = evaluate_map(net, parameter).determinant;
-  return {std::move(parameter), std::move(determinant)};
+  MapValue value = evaluate_map(net, parameter);
+  return {std::move(parameter), std::move(value.determinant), std::move(value.place)};
 }
 
 }  // namespace bezcert

@@ -2,18 +2,23 @@
 #pragma once
 
 #include "bezcert/algebra/planar_point.hpp"
-#include "bezcert/element/net.hpp"
 #include "bezcert/element/parameter.hpp"
+
+#include <vector>
 
 namespace bezcert {
 
-/// A parameter and the exact value of det J there.
+/// A parameter, the exact value of det J there, and the place in the plane that the element maps it to: (x,
+/// y), exactly.
 struct Witness {
   Parameter parameter;
   Rational determinant;
+  std::vector<Rational> place;
 };
 
-/// Evaluates det J at a parameter directly (evaluate_map): the witness stands on its own.
+struct ExactNet;
+
+/// Evaluates the map and det J at a parameter directly (evaluate_map): the witness stands on its own.
 Witness make_witness(const ExactNet& net, Parameter parameter);
 
 /// The zero set of det J in the closed domain.

@@ -23,7 +23,8 @@ Mesh read_element(const std::string& members, const std::string& more = "") {
 
 // x of the second point of a triangle of degree 1, given as a JSON value.
 Rational read_number(const std::string& json) {
-  return read_element("\"kind\":\"triangle\",\"degree\":1,\"points\":[[0,0],[" + json + ",0],[0,1]]").coordinates(0)[1];
+  return read_element("\"kind\":\"triangle\",\"degree\":1,\"points\":[[0,0],[" + json + ",0],[0,1]]")
+      .coordinates(0)[1];
 }
 
 Rational ten_to(int exponent) { return power(Rational(10), exponent); }

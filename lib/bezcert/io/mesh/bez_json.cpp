@@ -80,8 +80,7 @@ class Reader {
   Shape shape_of(const JsonValue& element) const {
     const JsonValue& kind = values_.required(element, "kind", "an element");
     const JsonValue& value = values_.required(element, "degree", "an element");
-    if (kind.kind == Kind::string && kind.text == "triangle")
-      return Shape::triangle(values_.degree(value));
+    if (kind.kind == Kind::string && kind.text == "triangle") return Shape::triangle(values_.degree(value));
     if (kind.kind != Kind::string || kind.text != "quadrilateral") {
       values_.fail(kind, "\"kind\" must be \"triangle\" or \"quadrilateral\"");
     }
