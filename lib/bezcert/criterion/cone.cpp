@@ -26,6 +26,7 @@ class EdgeCheck {
       : signs_(signs),
         edge_(edge),
         n_(signs.degree()),
+        shape_(Shape::triangle(n_)),
         d_(n_ == 1 ? Vector{at(0, 0), at(0, 1)} : Vector{at(1, 0), at(1, n_ - 1)}) {}
 
   Failed failure() const {
@@ -42,7 +43,7 @@ class EdgeCheck {
     std::size_t from, to;
   };
 
-  std::size_t at(int i, int j) const { return edge_index(n_, edge_, i, j); }
+  std::size_t at(int i, int j) const { return edge_index(shape_, edge_, i, j); }
   Vector control_vector(int k) const { return {at(0, k), at(0, k + 1)}; }
   // In nets that are not rational p'_k = p_k: what is asked of p_k is not asked again.
   std::size_t auxiliary(int k) const { return signs_.auxiliary(edge_, k); }
@@ -105,6 +106,7 @@ class EdgeCheck {
   const Signs& signs_;
   int edge_;
   int n_;
+  Shape shape_;
   Vector d_;
 };
 

@@ -40,7 +40,7 @@ class FormSigns {
            forms_.sign_of([&](const auto& net) { return net.weights[a] - net.weights[b]; }) == 0;
   }
   std::size_t auxiliary(int edge, int j) const {
-    if (!rational()) return edge_index(degree(), edge, 0, j);
+    if (!rational()) return edge_index(forms_.element().shape(), edge, 0, j);
     return coefficient_count(forms_.element().shape()) + static_cast<std::size_t>(edge * (degree() + 1) + j);
   }
 
@@ -57,9 +57,9 @@ class FormSigns {
     // With omega the weight of the tip and of both ends, X = w p:
     // 2 omega^2 p'_j = (omega - w_j) (X_0 + X_n) + 2 omega X_j.
     const int n = net.shape.degree(0), place = static_cast<int>(a - x.size()), edge = place / (n + 1);
-    const std::size_t first = edge_index(n, edge, 0, 0), last = edge_index(n, edge, 0, n),
-                      at = edge_index(n, edge, 0, place % (n + 1));
-    const T& omega = w[edge_index(n, edge, n, 0)];
+    const std::size_t first = edge_index(net.shape, edge, 0, 0), last = edge_index(net.shape, edge, 0, n),
+                      at = edge_index(net.shape, edge, 0, place % (n + 1));
+    const T& omega = w[edge_index(net.shape, edge, n, 0)];
     const T missing = omega - w[at], twice = T(2) * omega;
     return {missing * (x[first] + x[last]) + twice * x[at], missing * (y[first] + y[last]) + twice * y[at],
             twice * omega};

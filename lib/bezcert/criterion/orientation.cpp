@@ -33,10 +33,10 @@ Triple corner_triple(int n, int corner) {
   return result;
 }
 
-// Calls visit(triple) for all triples whose indices are not collinear, put counter-clockwise, until it
-// returns false.
-template <class Visit>
-void for_each_triple(int n, Visit visit) {
+// The first triple for which test(triple) is true, of all whose indices are not collinear, put
+// counter-clockwise.
+template <class Test>
+std::optional<Triple> find_triple(int n, Test test) {
   const std::size_t count = coefficient_count(Shape::triangle(n));
   std::vector<Exponents> exponents;
   for (std::size_t i = 0; i < count; ++i) exponents.push_back(triangle_exponents(n, i));
@@ -44,19 +44,21 @@ void for_each_triple(int n, Visit visit) {
     for (auto b = static_cast<std::uint16_t>(a + 1); b < count; ++b) {
       for (auto c = static_cast<std::uint16_t>(b + 1); c < count; ++c) {
         const int turn = index_orientation(exponents[a], exponents[b], exponents[c]);
-        if (turn != 0 && !visit(turn > 0 ? Triple{a, b, c} : Triple{a, c, b})) return;
+        const Triple triple = turn > 0 ? Triple{a, b, c} : Triple{a, c, b};
+        if (turn != 0 && test(triple)) return triple;
       }
     }
   }
+  return std::nullopt;
 }
 
 const std::vector<Triple>& triples_of(int n) {
   static TableCache<std::vector<Triple>> cache;
   return cache.get(Shape::triangle(n), [](Shape shape) {
     std::vector<Triple> result;
-    for_each_triple(shape.degree(0), [&](const Triple& triple) {
+    find_triple(shape.degree(0), [&](const Triple& triple) {
       result.push_back(triple);
-      return true;
+      return false;
     });
     return result;
   });
@@ -70,20 +72,14 @@ std::optional<Failure> failure(const Signs& signs) {
     const Triple triple = corner_triple(n, corner);
     if (turn(triple) <= 0) return Failure{triple, true};
   }
-  std::optional<Failure> result;
-  const auto holds = [&](const Triple& triple) {
-    if (turn(triple) < 0) result = Failure{triple, false};
-    return !result;
-  };
-  // Large lists are not kept.
-  if (n > QuickNet::max_degree) {
-    for_each_triple(n, holds);
-  } else {
-    for (const Triple& triple : triples_of(n)) {
-      if (!holds(triple)) break;
-    }
+  if (n > QuickNet::max_degree) {  // too many triples to keep
+    const auto triple = find_triple(n, [&](const Triple& t) { return turn(t) < 0; });
+    return triple ? std::optional(Failure{*triple, false}) : std::nullopt;
   }
-  return result;
+  for (const Triple& triple : triples_of(n)) {
+    if (turn(triple) < 0) return Failure{triple, false};
+  }
+  return std::nullopt;
 }
 
 std::string words(int n, const Failure& failed) {

@@ -36,7 +36,7 @@ class QuickNet {
   int degree() const { return degree_; }
   static constexpr bool rational() { return false; }
   static constexpr bool equal_weights(std::size_t, std::size_t) { return true; }
-  std::size_t auxiliary(int edge, int j) const { return edge_index(degree_, edge, 0, j); }
+  std::size_t auxiliary(int edge, int j) const { return edge_index(Shape::triangle(degree_), edge, 0, j); }
 
   int turn(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
     if (const auto sign = certain_sign(cross(between(i, j), between(k, l)), bound_)) return *sign;

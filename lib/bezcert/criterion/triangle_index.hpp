@@ -24,12 +24,10 @@ inline Exponents triangle_exponents(int degree, std::size_t index) {
 }
 
 /// The control point in row i away from an edge, at place j along it.
-inline std::size_t edge_index(int degree, int edge, int i, int j) {
-  Exponents e{};
-  e[edge] = degree - i - j;
-  e[(edge + 1) % 3] = j;
-  e[(edge + 2) % 3] = i;
-  return triangle_index(degree, e);
+inline std::size_t edge_index(Shape triangle, int edge, int i, int j) {
+  const int left = triangle.degree(0) - i - j;
+  const int row = edge == 0 ? i : edge == 1 ? j : left, column = edge == 0 ? j : edge == 1 ? left : i;
+  return coefficient_index(triangle, row, column);
 }
 
 /// "P(3,0,0) P(2,1,0)".
