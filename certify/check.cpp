@@ -1,7 +1,7 @@
 #include "check.hpp"
 
 #include "bezcert/certificate/certificate.hpp"
-#include "bezcert/io/curve/bez_json.hpp"
+#include "bezcert/io/curve/read.hpp"
 #include "bezcert/io/mesh/bez_json.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
@@ -82,7 +82,7 @@ class Check {
         certificate_(certificate),
         threads_(arguments.jobs) {
     if (!arguments.curves.empty()) {
-      curves_ = read_bez_json_curves(arguments.curves, read_file(arguments.curves));
+      curves_ = read_curves_file(arguments.curves);
     }
   }
 

@@ -31,6 +31,7 @@
 #include "bezcert/certificate/certificate.hpp"
 #include "bezcert/check/check_mesh.hpp"
 #include "bezcert/decide/decide.hpp"
+#include "bezcert/io/curve/read.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/input_error.hpp"
 #include "bezcert/io/mesh/bez_json.hpp"
