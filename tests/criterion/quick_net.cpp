@@ -172,6 +172,49 @@ TEST_CASE("a quick status is the status of the check") {
   CHECK(seen["coefficients"][Status::inconclusive] > 5);
 }
 
+// Affine triangles of a height of some last bits: det J is that height and what rounding made of it.
+TEST_CASE("signs of N are exact where doubles tell them") {
+  const std::uint64_t seed = seed_or(505);
+  Random random(seed);
+  std::map<bool, int> told, positive;
+  QuickNet net;
+  for (int i = 0; i < 6000; ++i) {
+    const int n = static_cast<int>(random.integer(1, 4));
+    Triangle t{Shape::triangle(n), random.chance(70) ? Basis::lagrange : Basis::bernstein, {}, {}, {}};
+    const double slope = random.any_double(-1, 1), base = random.any_double(-1, 1),
+                 lean = random.any_double(-1, 1);
+    const double height =
+        std::ldexp(static_cast<double>(random.integer(-8, 8)), -static_cast<int>(random.integer(40, 54)));
+    for (int r = 0; r <= n; ++r) {
+      for (int c = 0; c <= n - r; ++c) {
+        const double u = static_cast<double>(c) / n, v = static_cast<double>(r) / n;
+        t.x.push_back(base * u + lean * v);
+        t.y.push_back(slope * t.x.back() + height * v);
+      }
+    }
+    t.nodes.resize(t.x.size());
+    std::iota(t.nodes.begin(), t.nodes.end(), 0U);
+    const RoundingMode mode(rounding_modes[i % 4]);
+    if (!net.load(t.shape, t.basis, t.x, t.y, t.nodes)) continue;
+    const auto signs = net.numerator_signs();
+    ++told[signs.has_value()];
+    if (!signs) continue;
+    const Element element = t.element();
+    const Forms forms(element, Filter::off);
+    const PieceSigns exact = JacobianTree(forms).signs(JacobianTree::root);
+    INFO("seed " << seed << " case " << i << " degree " << n);
+    REQUIRE(signs->none_negative == exact.none_negative);
+    REQUIRE(signs->none_positive == exact.none_positive);
+    REQUIRE(signs->corner == exact.corner);
+    ++positive[signs->none_negative];
+  }
+  INFO("seed " << seed);
+  CHECK(told[true] > 1000);
+  CHECK(told[false] > 1000);
+  CHECK(positive[true] > 300);
+  CHECK(positive[false] > 300);
+}
+
 TEST_CASE("the quick net refuses what it is not for") {
   QuickNet net;
   const std::vector<double> zero(66, 0), wide = {1e-40, 1, 1e20, 0, 1, 2};
