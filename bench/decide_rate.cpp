@@ -6,9 +6,11 @@
 // runs, in one process, one thread, the mesh in memory. Also: how many elements blocks, intervals and
 // integers decided; what an element costs that needs integers; rational triangles against polynomial ones;
 // and time against the number of elements.
+#include "bezcert/check/mesh_decider.hpp"
+#include "bezcert/element/forms.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/mesh/read.hpp"
-#include "bezcert/check/mesh_decider.hpp"
+#include "bezcert/mesh/mesh_builder.hpp"
 
 #include "gmsh_mesh.hpp"
 
@@ -229,7 +231,7 @@ void cost_of_exact() {
       return best_of_runs([&] {
         for (std::size_t i = 0; i < mesh.elements().size(); ++i) {
           const Element element = mesh.element(i);
-          decide(element, filter);
+          decide(Forms(element, filter));
         }
       });
     };

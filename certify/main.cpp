@@ -18,12 +18,22 @@ constexpr Subcommand subcommands[] = {
     {"criteria", "the published conditions and their standing", add_criteria},
 };
 
+// "check, explain or criteria".
+std::string subcommand_names() {
+  std::string text;
+  for (const Subcommand& one : subcommands) {
+    const bool last = &one == std::end(subcommands) - 1;
+    text += (text.empty() ? "" : last ? " or " : ", ") + std::string(one.name);
+  }
+  return text;
+}
+
 int usage_error(const CLI::App& app, const CLI::ParseError& error) {
   std::string what = error.what();
   std::replace(what.begin(), what.end(), '\n', ' ');
   const bool no_command =
       dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && app.get_subcommands().empty();
-  if (no_command) what = "a subcommand is required: check MESH..., explain MESH --element N, or criteria";
+  if (no_command) what = "a subcommand is required: " + subcommand_names();
   std::cerr << "certify: " << what << " (certify --help lists the options)\n";
   return exit_input_error;
 }

@@ -2,8 +2,8 @@
 //
 //   certificate MESH.msh VERIFIER
 //
-// The mesh is written exactly, as .bez.json, beside the certificate, which is about that file; so it works for
-// every format that can be read.
+// The mesh is written exactly, as .bez.json, beside the certificate, which is about that file; so it works
+// for every format that can be read.
 #include <bezcert/bezcert.hpp>
 
 #include <cstdlib>

@@ -16,8 +16,8 @@ void show(const bezcert::Element& element) {
     // Everything is exact: a parameter of the element, its place in the plane, and det J there.
     const Witness& witness = *decision.witness;
     std::cout << "  det J = " << to_string(witness.determinant) << " at the parameter "
-              << to_string(witness.parameter) << ", which is the point (" << to_string(witness.place[0]) << ", "
-              << to_string(witness.place[1]) << ")\n";
+              << to_string(witness.parameter) << ", which is the point (" << to_string(witness.place[0])
+              << ", " << to_string(witness.place[1]) << ")\n";
   }
   if (decision.verdict == ElementVerdict::injective) {
     std::cout << "  proved by " << name(decision.sign_proof) << " and " << name(decision.injectivity_proof)

@@ -31,8 +31,8 @@ SolverMesh unit_square(int n) {
   const auto at = [&](int r, int c) { return static_cast<std::int64_t>(r) * side + c; };
   for (int r = 0; r < 2 * n; r += 2) {
     for (int c = 0; c < 2 * n; c += 2) {
-      mesh.nodes.insert(mesh.nodes.end(), {at(r, c), at(r, c + 1), at(r, c + 2), at(r + 1, c),
-                                           at(r + 1, c + 1), at(r + 2, c)});
+      mesh.nodes.insert(mesh.nodes.end(),
+                        {at(r, c), at(r, c + 1), at(r, c + 2), at(r + 1, c), at(r + 1, c + 1), at(r + 2, c)});
       mesh.nodes.insert(mesh.nodes.end(), {at(r + 2, c + 2), at(r + 2, c + 1), at(r + 2, c), at(r + 1, c + 2),
                                            at(r + 1, c + 1), at(r, c + 2)});
     }

@@ -16,8 +16,12 @@ using Evidence = std::optional<std::string>;
 
 // Beside SIGN.
 Evidence injective_evidence(const Forms& forms, const Decision& decision) {
-  if (decision.injectivity_proof == InjectivityProof::boundary) return boundary_evidence(forms);
-  return std::string(name(decision.injectivity_proof));
+  switch (decision.injectivity_proof) {
+    case InjectivityProof::midpoint: return "midpoint";
+    case InjectivityProof::orientation: return "orientation";
+    case InjectivityProof::boundary: return boundary_evidence(forms);
+    default: return std::nullopt;  // the hull has a claim of its own
+  }
 }
 
 // "u v", without what the barycentric coordinates have too much.
