@@ -87,7 +87,11 @@ class Shape {
     return result;
   }
 
-  bool operator==(const Shape&) const = default;
+  /// (Written out: compared for every element of a mesh, and an array is compared by a call.)
+  constexpr bool operator==(const Shape& other) const {
+    return domain == other.domain && degrees_[0] == other.degrees_[0] && degrees_[1] == other.degrees_[1] &&
+           degrees_[2] == other.degrees_[2];
+  }
   auto operator<=>(const Shape&) const = default;
 
  private:

@@ -149,7 +149,7 @@ std::unique_ptr<CheckObserver::Block> CertificateWriter::new_block() {
   return std::make_unique<BlockOfClaims>(*this);
 }
 
-void CertificateWriter::end(const Mesh& mesh, const MeshReport& report) {
+void CertificateWriter::end(const Mesh&, const MeshReport& report) {
   if (!write_mesh_evidence(stream_, report.mesh, claims_)) ++without_evidence_;
   stream_ << "end\n";
 }

@@ -3,6 +3,11 @@
 #include "bezcert/bernstein/scale_table.hpp"
 #include "bezcert/criterion/orientation.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
 namespace bezcert {
 namespace {
 
@@ -74,29 +79,36 @@ T mixed(const Columns<T>& m, std::size_t i, std::size_t j) {
   return once + (m.ux[j] * m.vy[i] - m.uy[j] * m.vx[i]);
 }
 
+// Whether the mixed determinant of i and j is as the hull condition asks.
+bool is_allowed(int sign, std::size_t i, std::size_t j) { return sign > 0 || (sign == 0 && i != j); }
+
+// Intervals first, all in one go; integers for the pairs that they leave open.
 bool jacobian_hull(const Forms& forms) {
-  std::optional<Columns<Interval>> intervals;
-  std::optional<Columns<Integer>> exact;
+  std::vector<std::pair<std::size_t, std::size_t>> open;
   if (forms.filter() == Filter::on) {
     const RoundUp up;
-    intervals = columns(forms.interval(up).net);
-  } else {
-    exact = columns(forms.exact().net);
+    const Columns<Interval> m = columns(forms.interval(up).net);
+    for (std::size_t i = 0; i < m.ux.size(); ++i) {
+      for (std::size_t j = i; j < m.ux.size(); ++j) {
+        const std::optional<int> certain = certain_sign(mixed(m, i, j));
+        if (!certain) {
+          open.emplace_back(i, j);
+        } else if (!is_allowed(*certain, i, j)) {
+          return false;
+        }
+      }
+    }
+    if (open.empty()) return true;
   }
-  const auto in_integers = [&] {
-    if (!exact) exact = columns(forms.exact().net);
-    return std::tie(*exact);
-  };
-  const std::size_t count = intervals ? intervals->ux.size() : exact->ux.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = i; j < count; ++j) {
-      const int s = filtered_sign(
-          forms.filter(), [&](const auto& all) { return mixed(all, i, j); },
-          [&](const RoundUp&) { return std::tie(*intervals); }, in_integers);
-      if (s < 0 || (s == 0 && i == j)) return false;
+  const Columns<Integer> m = columns(forms.exact().net);
+  if (forms.filter() == Filter::off) {
+    for (std::size_t i = 0; i < m.ux.size(); ++i) {
+      for (std::size_t j = i; j < m.ux.size(); ++j) open.emplace_back(i, j);
     }
   }
-  return true;
+  return std::all_of(open.begin(), open.end(), [&](const auto& pair) {
+    return is_allowed(sign(mixed(m, pair.first, pair.second)), pair.first, pair.second);
+  });
 }
 
 bool derivative_is_affine_on_segments(const Element& element) {
