@@ -24,8 +24,9 @@
 // Everything is exact: coordinates are doubles or rationals, a verdict is a theorem, its evidence is in the
 // report. Bad data is refused when a mesh or an element is made (std::invalid_argument) or read (InputError);
 // the functions below then have no preconditions on values. The library prints nothing, starts no threads and
-// keeps no state but tables. More programs: examples/. What the verdicts mean: docs/mesh.md,
-// docs/decision.md.
+// keeps no state but tables. It needs the ordinary floating-point environment: rounding to nearest, and
+// subnormal numbers kept (no -ffast-math in the program that links it). More programs: examples/. What the
+// verdicts mean: docs/mesh.md, docs/decision.md.
 #pragma once
 
 #include "bezcert/certificate/certificate.hpp"

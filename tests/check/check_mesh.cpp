@@ -2,12 +2,15 @@
 // nothing, and outcomes are what docs/report.md says.
 #include "bezcert/check/check_mesh.hpp"
 
+#include "bezcert/certificate/certificate.hpp"
 #include "bezcert/io/file.hpp"
 #include "bezcert/io/mesh/read.hpp"
 #include "bezcert/mesh/mesh_builder.hpp"
+#include "bezcert/report/report.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -206,4 +209,66 @@ TEST_CASE("outcomes, from the best to the worst") {
   report.elements.counts.defects = 1;
   report.mesh.verdict = MeshVerdict::embedding;
   CHECK(report.outcome() == Outcome::contradiction);
+}
+
+TEST_CASE("an executor that hides errors or leaves work out certifies nothing") {
+  struct Hiding : StdThreads {
+    void run(std::size_t count, const std::function<void(std::size_t)>& work) override {
+      for (std::size_t i = 0; i < count; ++i) {
+        try {
+          work(i);
+        } catch (...) {
+        }
+      }
+    }
+  };
+  struct Idle : StdThreads {
+    void run(std::size_t, const std::function<void(std::size_t)>&) override {}
+  };
+  Hiding hiding;
+  Idle idle;
+  EachElement stops([](std::size_t, const CheckedElement&) { throw std::runtime_error("stop"); });
+  CheckOptions options;
+  options.executor = &hiding;
+  CHECK_THROWS_AS(check_mesh(squares(70, 3), options, stops), std::logic_error);
+  options.executor = &idle;
+  CHECK_THROWS_AS(check_mesh(squares(70), options), std::logic_error);
+}
+
+TEST_CASE("options that are none are refused") {
+  CheckOptions options;
+  options.criteria = {find_criterion("no such criterion")};
+  CHECK_THROWS_AS(check_mesh(squares(2), options), std::invalid_argument);
+  const auto numbers = [](std::vector<double> values) { return ExactVector(std::move(values)); };
+  // No points; one point; counts that do not fit; weights that are not positive.
+  const InputCurve bad[] = {{},
+                            {numbers({1}), numbers({1}), {}, "", 0},
+                            {numbers({0, 1}), numbers({0}), {}, "", 0},
+                            {numbers({0, 1}), numbers({0, 1}), numbers({1}), "", 0},
+                            {numbers({0, 1}), numbers({0, 1}), numbers({1, 0}), "", 0},
+                            {numbers({0, 1}), numbers({0, 1}), numbers({-1, -1}), "", 0}};
+  for (const InputCurve& curve : bad) {
+    CheckOptions with_curve;
+    with_curve.curves = std::span(&curve, 1);
+    CHECK_THROWS_AS(check_mesh(squares(2), with_curve), std::invalid_argument);
+  }
+  // The bottom side of the square is one.
+  const InputCurve good{numbers({0, 1, 2}), numbers({0, 0, 0}), {}, "", 0};
+  CheckOptions with_curve;
+  with_curve.curves = std::span(&good, 1);
+  CHECK(check_mesh(squares(2), with_curve).outcome() == Outcome::certified);
+}
+
+TEST_CASE("reports and certificates follow a range of elements as well") {
+  const Mesh mesh = squares(3, 2);
+  for (const ReportFormat& format : report_formats()) {
+    std::ostringstream text;
+    const auto report = format.make(text, {"mesh", "", ""});
+    check_elements(mesh, 3, 6, {}, *report);
+    CHECK(text.str().find("reversed") != std::string::npos);
+  }
+  std::ostringstream text;
+  CertificateWriter writer(text, {"", "mixed", Numbers::decimal});
+  check_elements(mesh, 3, 6, {}, writer);
+  CHECK(text.str().find("reversed") != std::string::npos);
 }

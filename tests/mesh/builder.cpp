@@ -157,6 +157,7 @@ TEST_CASE("elements that are no elements are refused") {
   CHECK(of_shape(Shape(Domain(2, 1), 1, 1)) ==
         "element 0: its domain is none of an element, expected a triangle or a square");
   CHECK_THROWS_AS(Domain(4), std::invalid_argument);
+  CHECK_THROWS_AS(Domain(std::numeric_limits<int>::max(), 1), std::invalid_argument);
   CHECK(of_shape(Shape::triangle(0)) == "element 0: its degree is 0, expected 1 to 64");
   CHECK(of_shape(Shape::triangle(65)) == "element 0: its degree is 65, expected 1 to 64");
   CHECK(of_shape(Shape::square(1, -3)) == "element 0: its degree is -3, expected 1 to 64");
@@ -187,6 +188,13 @@ TEST_CASE("elements that are no elements are refused") {
         "node 9223372036854775807: expected fewer than 2^32 - 1 nodes");
   CHECK(refusal([](MeshBuilder& b) { b.drop_nodes(1); }) == "fewer nodes than are to be dropped");
   CHECK(refusal([](MeshBuilder& b) { b.drop_elements(1); }) == "fewer elements than are to be dropped");
+}
+
+TEST_CASE("places that were not filled with numbers are refused, whatever is added after them") {
+  MeshBuilder builder;
+  const auto places = builder.append_nodes(1);
+  (*places)[0][0] = std::nan("");
+  CHECK_THROWS_AS(builder.add_node({Rational(1, 3), Rational(0)}), std::invalid_argument);
 }
 
 TEST_CASE("lists of the origin have one entry an element") {

@@ -29,17 +29,20 @@ namespace bezcert {
 class Domain {
  public:
   /// The dimensions of the simplices; 0: no more. Throws std::invalid_argument if their sum is not 1 to 3.
-  explicit constexpr Domain(int first, int second = 0, int third = 0)
-      : packed_(static_cast<std::uint8_t>(first | second << 2 | third << 4)) {
-    const bool gap = first <= 0 || second < 0 || third < 0 || (second == 0 && third > 0);
+  explicit constexpr Domain(int first, int second = 0, int third = 0) {
+    const bool large = first > max_dimension || second > max_dimension || third > max_dimension;
+    const bool gap = large || first <= 0 || second < 0 || third < 0 || (second == 0 && third > 0);
     if (gap || first + second + third > max_dimension) {
       throw std::invalid_argument("a domain is a product of simplices of dimension 1 to 3 in all");
     }
+    packed_ = static_cast<std::uint8_t>(first | second << 2 | third << 4);
   }
   static const Domain segment, triangle, square;
 
   /// The dimension of a factor's simplex; 0 for a factor that is not there.
-  constexpr int simplex(int factor) const { return packed_ >> 2 * factor & 3; }
+  constexpr int simplex(int factor) const {
+    return factor < 0 || factor >= max_dimension ? 0 : packed_ >> 2 * factor & 3;
+  }
   constexpr int factor_count() const { return (simplex(0) > 0) + (simplex(1) > 0) + (simplex(2) > 0); }
   constexpr int dimension() const { return simplex(0) + simplex(1) + simplex(2); }
 
@@ -47,7 +50,7 @@ class Domain {
   auto operator<=>(const Domain&) const = default;
 
  private:
-  std::uint8_t packed_;  // two bits a factor: elements of meshes hold a shape each
+  std::uint8_t packed_ = 0;  // two bits a factor: elements of meshes hold a shape each
 };
 
 inline constexpr Domain Domain::segment{1};
@@ -74,7 +77,9 @@ class Shape {
   constexpr int factor_count() const { return domain.factor_count(); }
   constexpr int dimension() const { return domain.dimension(); }
   /// The degree of a factor; 0 for a factor that is not there.
-  constexpr int degree(int factor) const { return degrees_[static_cast<std::size_t>(factor)]; }
+  constexpr int degree(int factor) const {
+    return factor < 0 || factor >= max_dimension ? 0 : degrees_[static_cast<std::size_t>(factor)];
+  }
   /// The same shape with `more` (perhaps negative) added to the degree of one factor, or of all.
   constexpr Shape raised(int factor, int more) const {
     Shape result = *this;

@@ -126,7 +126,7 @@ class CertificateWriter::BlockOfClaims : public Block {
     for (const ElementClaim& claim : claims_) {
       writer_.claims_.push_back(claim.state);
       if (!claim.full) ++writer_.without_evidence_;
-      writer_.stream_ << writer_.claims_.size() << ' ' << claim.text << '\n';
+      writer_.stream_ << std::to_string(writer_.claims_.size()) << ' ' << claim.text << '\n';
     }
     claims_.clear();
   }
@@ -142,7 +142,8 @@ void CertificateWriter::begin(const Mesh& mesh) {
   claims_.reserve(mesh.elements().size());
   without_evidence_ = 0;
   stream_ << "bezcert-certificate 1\nelements " << header_.elements_sha256 << "\nbasis " << header_.basis
-          << "\nnumbers " << name(header_.numbers) << "\ncount " << mesh.elements().size() << '\n';
+          << "\nnumbers " << name(header_.numbers) << "\ncount " << std::to_string(mesh.elements().size())
+          << '\n';
 }
 
 std::unique_ptr<CheckObserver::Block> CertificateWriter::new_block() {

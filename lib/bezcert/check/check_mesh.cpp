@@ -32,7 +32,10 @@ class ElementsCheck {
     report_.last = last;
     report_.criteria = options.criteria;
     report_.counts.clear(options.criteria.size());
-    report_.states.resize(last - first);
+    report_.states.resize(last - first, ElementState::open);
+    for (const Criterion* criterion : options.criteria) {
+      if (criterion == nullptr) throw std::invalid_argument("CheckOptions: a criterion is null");
+    }
   }
 
   // Calls `beside` once, before or beside the elements.
@@ -46,6 +49,9 @@ class ElementsCheck {
         executor, beside,
         [&](std::size_t begin, std::size_t end, CheckedBlock& block) { prepare(begin, end, block); },
         [&](CheckedBlock& block) { take(block); });
+    if (report_.counts.elements != count) {
+      throw std::logic_error("the executor did not run all works, or hid that one of them threw");
+    }
     return std::move(report_);
   }
 
@@ -90,7 +96,10 @@ MeshReport conclude(const MeshTopology& topology, ElementsReport elements, const
 }  // namespace
 
 void ElementsReport::append(ElementsReport next) {
-  if (next.first != last || next.criteria != criteria) {
+  const bool whole = next.first <= next.last && next.states.size() == next.last - next.first &&
+                     next.counts.by_criterion.size() == next.criteria.size() &&
+                     counts.by_criterion.size() == criteria.size();
+  if (next.first != last || next.criteria != criteria || !whole) {
     throw std::invalid_argument(
         "ElementsReport::append: expected the elements that follow, with the same criteria");
   }
@@ -112,10 +121,12 @@ Outcome MeshReport::outcome() const {
 }
 
 MeshReport check_mesh(const Mesh& mesh, const CheckOptions& options, CheckObserver& observer) {
+  for (const InputCurve& curve : options.curves) curve.validate();
   observer.begin(mesh);
   std::optional<MeshTopology> topology;
   ElementsReport elements =
       ElementsCheck(mesh, 0, mesh.elements().size(), options, observer).run([&] { topology.emplace(mesh); });
+  if (!topology) throw std::logic_error("the executor did not run all works");
   MeshReport report = conclude(*topology, std::move(elements), options);
   observer.end(mesh, report);
   return report;
@@ -131,11 +142,14 @@ ElementsReport check_elements(const Mesh& mesh, std::size_t first, std::size_t l
   if (first > last || last > mesh.elements().size()) {
     throw std::invalid_argument("check_elements: expected a range of the mesh's elements");
   }
+  observer.begin(mesh);
   return ElementsCheck(mesh, first, last, options, observer).run([] {});
 }
 
 MeshReport conclude(const Mesh& mesh, ElementsReport elements, const CheckOptions& options) {
-  if (elements.first != 0 || elements.last != mesh.elements().size()) {
+  const std::size_t count = mesh.elements().size();
+  if (elements.first != 0 || elements.last != count || elements.states.size() != count ||
+      elements.counts.elements != count) {
     throw std::invalid_argument("conclude: expected the report of all elements");
   }
   return conclude(MeshTopology(mesh), std::move(elements), options);

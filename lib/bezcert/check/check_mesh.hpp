@@ -70,14 +70,16 @@ struct MeshReport {
   Outcome outcome() const;
 };
 
-/// Checks a whole mesh. The observer may be several (observer.hpp). Throws std::length_error beyond 2^32 - 2
-/// edges, and what the observer or the executor throws.
+/// Checks a whole mesh. The observer may be several (observer.hpp). Throws std::invalid_argument if a
+/// criterion is null or a curve is none (InputCurve::validate), std::logic_error if the executor did not run
+/// all works or the thread does not round to nearest, and what the observer or the executor throws.
 MeshReport check_mesh(const Mesh& mesh, const CheckOptions& options, CheckObserver& observer);
 MeshReport check_mesh(const Mesh& mesh, const CheckOptions& options = {});
 
 /// The same in two steps, so that parts of a mesh can be checked apart, on several machines for example: the
-/// elements of a range, whose reports are appended to each other; then the mesh, once all are there.
-/// Observers see the elements in the first step (their begin and end are not called).
+/// elements of a range, whose reports are appended to each other; then the mesh, once all are there. The
+/// observer sees the beginning and the elements of the range, not the end. Throws std::invalid_argument if
+/// the range is none of the mesh, and as check_mesh does.
 ElementsReport check_elements(const Mesh& mesh, std::size_t first, std::size_t last,
                               const CheckOptions& options, CheckObserver& observer);
 /// Throws std::invalid_argument if the report is not of all elements.

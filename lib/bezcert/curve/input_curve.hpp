@@ -15,7 +15,12 @@ struct InputCurve {
   std::string name;     ///< may be empty
   std::uint32_t line = 0;
 
+  /// Throws std::invalid_argument if there are fewer than two points, counts do not fit, or a weight is not
+  /// positive.
+  void validate() const;
+
   /// Its homogeneous control points, with X / W and Y / W the true coordinates, times a positive factor.
+  /// Throws as validate() does.
   CurveNet<Integer> exact() const;
 };
 

@@ -22,6 +22,8 @@ Element::Element(Shape shape, Basis basis, Coordinates coordinates, ExactVector 
   for (int f = 0; f < shape_.factor_count(); ++f) {
     if (shape_.degree(f) < 1) throw std::invalid_argument("the degree must be at least 1");
   }
+  if (basis_ != Basis::bernstein && basis_ != Basis::lagrange)
+    throw std::invalid_argument("the basis is not known");
   if (degree() > max_degree) {
     throw std::invalid_argument("the degree must be at most " + std::to_string(max_degree));
   }

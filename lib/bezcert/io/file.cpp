@@ -14,6 +14,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <locale>
 
 namespace bezcert {
 namespace {
@@ -130,6 +131,7 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   if (fs::exists(status) && !replaces) {
     if (fs::is_directory(status)) throw InputError(path, 0, "cannot be written: is a folder");
     std::ofstream stream(target, std::ios::binary);
+    stream.imbue(std::locale::classic());
     if (!stream) throw InputError(path, 0, std::string("cannot be written: ") + std::strerror(errno));
     write(stream);
     stream.close();
@@ -140,6 +142,7 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   const fs::path temporary = target.parent_path() / (target.filename().string().substr(0, 200) + ".tmp" +
                                                      std::to_string(::getpid()));
   std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+  stream.imbue(std::locale::classic());
   if (!stream) throw InputError(path, 0, std::string("cannot be written: ") + std::strerror(errno));
   try {
     write(stream);

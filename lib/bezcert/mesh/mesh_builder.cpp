@@ -212,6 +212,20 @@ void MeshBuilder::drop_elements(std::size_t count) {
   }
 }
 
+// Lists that do not fit each other are what is left where memory ran out while something was added.
+void MeshBuilder::check_sizes() const {
+  std::size_t nodes = 0;
+  bool fit = mesh_.weights_.empty() || mesh_.weights_.size() == node_count();
+  for (const ExactVector& coordinates : mesh_.coordinates_) fit = fit && coordinates.size() == node_count();
+  for (const MeshElement& element : mesh_.elements_) {
+    fit = fit && element.first_node == nodes;
+    nodes += coefficient_count(element.shape);
+  }
+  if (!fit || nodes != mesh_.connectivity_.size()) {
+    throw MeshError("nodes and elements are incomplete: memory ran out while they were added");
+  }
+}
+
 void MeshBuilder::check_coordinates() const {
   for (std::size_t k = 0; k < mesh_.coordinates_.size(); ++k) {
     const std::span<const double> numbers = mesh_.coordinates_[k].doubles();
@@ -270,6 +284,7 @@ void MeshBuilder::check_converted_weights() const {
 Mesh MeshBuilder::build() && {
   if (mesh_.elements_.empty()) throw MeshError("there are no elements, expected at least one");
   if (node_count() == 0) throw MeshError("there are no nodes, expected those of the elements");
+  check_sizes();
   check_coordinates();
   check_connectivity();
   check_origin();

@@ -100,6 +100,7 @@ class MeshBuilder {
   std::size_t count_elements(Shape shape, Basis basis, std::size_t nodes) const;
   [[noreturn]] static void fail_index(std::size_t element, std::size_t place, const std::string& index,
                                       const std::string& expected);
+  void check_sizes() const;
   void check_coordinates() const;
   void check_connectivity() const;
   void check_origin() const;

@@ -42,8 +42,11 @@ std::span<double> ExactVector::append_zeros(std::size_t count) {
 
 void ExactVector::become_rational() {
   if (!binary64_) return;
+  std::vector<Rational> rationals;
+  rationals.reserve(doubles_.size());
+  for (const double number : doubles_) rationals.push_back(exact(number));
   binary64_ = false;
-  rationals_.assign(doubles_.begin(), doubles_.end());
+  rationals_ = std::move(rationals);
   doubles_ = {};
 }
 

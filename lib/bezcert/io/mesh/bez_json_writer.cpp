@@ -87,7 +87,7 @@ void write_bez_json(std::ostream& stream, const Mesh& mesh) {
     if (mesh.glued_by_nodes()) {
       stream << ", \"nodes\": [";
       write_list(stream, coefficient_count(entry.shape), ", ",
-                 [&](std::size_t k) { return mesh.connectivity()[entry.first_node + k]; });
+                 [&](std::size_t k) { return std::to_string(mesh.connectivity()[entry.first_node + k]); });
       stream << ']';
     } else {
       write_own_points(stream, mesh.element(i));
